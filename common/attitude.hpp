@@ -1,0 +1,15 @@
+#pragma once
+
+#include "common/types.hpp"
+
+namespace common {
+
+/// Angle of the rotation that leads from one attitude to the other, in [0, π] [rad]. Exact to
+/// rounding for small angles too; q and −q are one attitude. Both unit.
+double angle_between(const Quat& a, const Quat& b);
+
+/// |A − B| / √2 in the Frobenius norm [rad]: for two rotations a small angle φ apart it is
+/// 2 sin(φ/2), and never above 2. It judges a matrix that is no rotation any more as well.
+double chordal_distance(const Mat3& a, const Mat3& b);
+
+}  // namespace common

@@ -1,0 +1,163 @@
+# add_lab(<name>)
+#
+# Declares the lab in the current folder, labs/<N>_<name>/. Its tests, scene and chart are compiled
+# once, against the contract <name>.hpp alone, and linked with one answer after the other:
+#   <name>_student_{test,scene,chart}     the student's <name>.cpp in this folder
+#   <name>_reference_{test,scene,chart}   solutions/<N>_<name>/<name>.cpp
+# and, where TUMBLE_PROOF, their tests with every other answer of solutions/<N>_<name>/:
+#   <other>.cpp        right answers, built otherwise: every test passes
+#   mistakes/nan.cpp   returns NaN everywhere: every test fails
+#   mistakes.cmake     the bank of mistakes, see add_mutant
+# CTest names are <N>_<name>/<answer>/<step>/<case>; labels student, stub, right, nan, mistake.
+# A hand-out may ship without the solutions folder.
+function(add_lab name)
+  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME folder)
+  set(solutions "${PROJECT_SOURCE_DIR}/solutions/${folder}")
+
+  add_library(${name}_contract INTERFACE)
+  target_include_directories(${name}_contract INTERFACE "${CMAKE_CURRENT_SOURCE_DIR}")
+  target_link_libraries(${name}_contract INTERFACE common)
+
+  file(GLOB test_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/${name}/*_test.cpp")
+  _read_cases(cases ${test_sources})
+  _add_program(${name}_test "${test_sources}" test_support)
+  _add_program(${name}_scene scene.cpp render_scene)
+  _add_program(${name}_chart chart.cpp render_chart)
+
+  _add_answer(student "${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp" answer_flags PICTURES)
+  _add_cases(student student)
+  if(EXISTS "${solutions}")
+    _add_answer(reference "${solutions}/${name}.cpp" project_flags PICTURES)
+  endif()
+  if(NOT TUMBLE_PROOF OR NOT EXISTS "${solutions}")
+    return()
+  endif()
+
+  _add_cases(reference right)
+  _add_stub_cases()
+  file(GLOB others CONFIGURE_DEPENDS "${solutions}/*.cpp")
+  list(REMOVE_ITEM others "${solutions}/${name}.cpp")
+  foreach(source IN LISTS others)
+    cmake_path(GET source STEM answer)
+    _add_answer(${answer} "${source}" project_flags)
+    _add_cases(${answer} right)
+  endforeach()
+  _add_answer(nan "${solutions}/mistakes/nan.cpp" answer_flags)
+  _add_cases(nan nan)
+  set_tests_properties(${nan_tests} PROPERTIES PASS_REGULAR_EXPRESSION "[|] error +not finite"
+    FAIL_REGULAR_EXPRESSION "All tests passed")
+  include("${solutions}/mistakes.cmake")
+endfunction()
+
+# add_mutant(<name> <mistake> <step> <find> <replace> <words>)
+#
+# The reference with one mistake in it: <find>, which must stand in it, is replaced. A test of <step>
+# must fail, and the likely mistake that the tests name must hold <words>; no other may be named.
+# Empty <words>: a mistake without a fingerprint, of which the tests must name none.
+function(add_mutant name mistake step find replace words)
+  cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME folder)
+  set(reference "${PROJECT_SOURCE_DIR}/solutions/${folder}/${name}.cpp")
+  file(READ "${reference}" right)
+  string(REPLACE "${find}" "${replace}" wrong "${right}")
+  if(wrong STREQUAL right)
+    message(FATAL_ERROR "add_mutant(${name} ${mistake}): '${find}' is not in ${reference}")
+  endif()
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${reference}")
+  set(source "${CMAKE_CURRENT_BINARY_DIR}/mistakes/${mistake}.cpp")
+  file(GENERATE OUTPUT "${source}" CONTENT "${wrong}")
+
+  _add_answer(mistake_${mistake} "${source}" answer_flags)
+  add_test(NAME "${folder}/mistake/${step}/${mistake}" COMMAND Python3::Interpreter -B
+    "${PROJECT_SOURCE_DIR}/tests/support/mistake_test.py" $<TARGET_FILE:${name}_mistake_${mistake}_test>
+    ${step} "${words}")
+  set_tests_properties("${folder}/mistake/${step}/${mistake}" PROPERTIES LABELS mistake TIMEOUT 120)
+endfunction()
+
+# Answers are small files that include the same big headers: one precompiled header a set of flags.
+function(_add_precompiled flags)
+  add_library(precompiled_${flags} OBJECT "${PROJECT_SOURCE_DIR}/common/precompiled.cpp")
+  target_link_libraries(precompiled_${flags} PRIVATE common ${flags})
+  target_precompile_headers(precompiled_${flags} PRIVATE
+    "${PROJECT_SOURCE_DIR}/common/types.hpp" "${PROJECT_SOURCE_DIR}/common/not_implemented.hpp"
+    <vector>)
+endfunction()
+
+# Compiles one of the lab's programs against the contract, without an implementation of it.
+function(_add_program program sources)
+  foreach(target IN LISTS ARGN)
+    if(NOT TARGET ${target})
+      message(STATUS "${program} is left out: no ${target}")
+      return()
+    endif()
+  endforeach()
+  add_library(${program} OBJECT ${sources})
+  target_link_libraries(${program} PUBLIC ${name}_contract PRIVATE project_flags PUBLIC ${ARGN})
+endfunction()
+
+# _add_answer(<answer> <source> <flags> [PICTURES]): an implementation and the programs linked with it.
+function(_add_answer answer source flags)
+  set(implementation ${name}_${answer})
+  add_library(${implementation} OBJECT "${source}")
+  target_link_libraries(${implementation} PRIVATE ${name}_contract ${flags})
+  target_precompile_headers(${implementation} REUSE_FROM precompiled_${flags})
+  set(kinds test)
+  if("PICTURES" IN_LIST ARGN)
+    list(APPEND kinds scene chart)
+  endif()
+  foreach(kind IN LISTS kinds)
+    if(TARGET ${name}_${kind})
+      add_executable(${implementation}_${kind})
+      target_link_libraries(${implementation}_${kind} PRIVATE ${name}_${kind} ${implementation})
+    endif()
+  endforeach()
+endfunction()
+
+# _read_cases(<out> <file>...): the test cases as a list of <step>|<name>. They are read from the
+# sources, never by running a program that holds a student's code.
+function(_read_cases out)
+  set(cases "")
+  foreach(file IN LISTS ARGN)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
+    file(READ "${file}" text)
+    string(REGEX MATCHALL "TEST_CASE\\([^)]*\\)" heads "${text}")
+    foreach(head IN LISTS heads)
+      if(NOT head MATCHES "^TEST_CASE\\(\"([A-Za-z0-9 _.-]+)\",[ \n]*\"\\[([0-9]+\\.[0-9]+)\\]\"\\)$")
+        message(FATAL_ERROR "${file}: want TEST_CASE(\"letters, digits, blanks, . _ -\", \"[step]\"): ${head}")
+      endif()
+      list(APPEND cases "${CMAKE_MATCH_2}|${CMAKE_MATCH_1}")
+    endforeach()
+  endforeach()
+  set(${out} "${cases}" PARENT_SCOPE)
+endfunction()
+
+# _add_cases(<answer> <label>): each case in a process of its own; the names go to <answer>_tests.
+function(_add_cases answer label)
+  set(names "")
+  foreach(case IN LISTS cases)
+    string(REPLACE "|" ";" case "${case}")
+    list(POP_FRONT case step)
+    set(test "${folder}/${answer}/${step}/${case}")
+    add_test(NAME "${test}" COMMAND ${name}_${answer}_test "${case}" ${catch2_strict})
+    set_tests_properties("${test}" PROPERTIES LABELS ${label} TIMEOUT 20
+      FAIL_REGULAR_EXPRESSION "assertions: - none -")  # a case that asserts nothing proves nothing
+    list(APPEND names "${test}")
+  endforeach()
+  set(${answer}_tests "${names}" PARENT_SCOPE)
+endfunction()
+
+# The untouched stub fails every case, and says which step is not written yet.
+function(_add_stub_cases)
+  foreach(case IN LISTS cases)
+    string(REPLACE "|" ";" case "${case}")
+    list(POP_FRONT case step)
+    set(test "${folder}/stub/${step}/${case}")
+    add_test(NAME "${test}" COMMAND ${name}_student_test "${case}" ${catch2_strict})
+    string(REPLACE "." "\\." step "${step}")
+    set_tests_properties("${test}" PROPERTIES LABELS stub TIMEOUT 20
+      PASS_REGULAR_EXPRESSION "${step} [a-z_]+ is not written yet"
+      FAIL_REGULAR_EXPRESSION "All tests passed")
+  endforeach()
+endfunction()
+
+_add_precompiled(answer_flags)
+_add_precompiled(project_flags)

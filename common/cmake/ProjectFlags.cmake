@@ -1,0 +1,31 @@
+# Flags travel in INTERFACE targets, so none is set globally or twice.
+#   base_flags     language, include root, sanitizers: what every target needs
+#   project_flags  our own code: strict warnings, errors where TUMBLE_WERROR
+#   answer_flags   a student's file and what stands in for it: warnings, never errors
+add_library(base_flags INTERFACE)
+target_compile_features(base_flags INTERFACE cxx_std_20)
+target_include_directories(base_flags INTERFACE "${PROJECT_SOURCE_DIR}")
+set(CMAKE_CXX_EXTENSIONS OFF)
+if(TUMBLE_SANITIZE)
+  set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_compile_options(base_flags INTERFACE ${sanitizers})
+  target_link_options(base_flags INTERFACE ${sanitizers})
+endif()
+
+# A quicker linker shortens the student's loop; the system's own does where there is none.
+include(CheckLinkerFlag)
+check_linker_flag(CXX -fuse-ld=lld TUMBLE_HAVE_LLD)
+if(TUMBLE_HAVE_LLD)
+  target_link_options(base_flags INTERFACE -fuse-ld=lld)
+endif()
+
+add_library(project_flags INTERFACE)
+target_link_libraries(project_flags INTERFACE base_flags)
+target_compile_options(project_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion -Wold-style-cast
+  $<$<BOOL:${TUMBLE_WERROR}>:-Werror>)
+
+# A stub names every parameter of the contract and uses none.
+add_library(answer_flags INTERFACE)
+target_link_libraries(answer_flags INTERFACE base_flags)
+target_compile_options(answer_flags INTERFACE -Wall -Wextra -Wno-unused-parameter)

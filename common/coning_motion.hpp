@@ -1,0 +1,30 @@
+#pragma once
+
+#include "common/types.hpp"
+
+namespace common {
+
+/// An angular velocity that turns about a fixed axis at a constant rate while it keeps its length:
+/// the classic test of attitude integration, since its attitude has a closed form.
+///
+///   ω(t) = exp([a]ₓ Ω t) ω(0)
+///
+/// World frame.
+struct ConingMotion {
+  Vec3 axis = Vec3::UnitZ();                ///< a, unit
+  double rate = 1.0;                        ///< Ω [rad/s]
+  Vec3 angular_velocity = Vec3::UnitX();    ///< ω(0) [rad/s]
+  Quat world_from_body = Quat::Identity();  ///< q(0), unit
+};
+
+/// ω(t), world [rad/s].
+Vec3 angular_velocity(const ConingMotion& motion, double time);
+
+/// q(t), unit. Seen from axes that turn with ω, the body turns at the constant ω(0) − Ω a, so
+///
+///   q(t) = exp(a Ω t) exp((ω(0) − Ω a) t) q(0)
+///
+/// Built on Eigen's angle and axis, apart from what any lab writes.
+Quat attitude(const ConingMotion& motion, double time);
+
+}  // namespace common

@@ -1,0 +1,16 @@
+#include "common/linear_algebra.hpp"
+
+#include <Eigen/SVD>
+#include <stdexcept>
+
+namespace common {
+
+SingularValues singular_values(const Mat3& matrix) {
+  if (!matrix.allFinite()) {
+    throw std::invalid_argument("singular_values: an entry of the matrix is NaN or infinite");
+  }
+  const Eigen::JacobiSVD<Mat3> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  return {svd.matrixU(), svd.singularValues(), svd.matrixV()};
+}
+
+}  // namespace common

@@ -1,0 +1,181 @@
+#include "catch.hpp"
+#include "oracle.hpp"
+#include "random.hpp"
+#include "rigid_body_kinematics.hpp"
+#include "trial.hpp"
+
+using namespace lab::rigid_body_kinematics;
+using tests::eps;
+using tests::Trial;
+
+namespace {
+
+Mat3 rounded(const tests::Mat3L& m) { return m.cast<double>(); }
+
+std::vector<tests::Suspect<Mat3>> suspects_of_inertia(const Mat3& I0, const Quat& q) {
+  const Mat3 R = rounded(tests::matrix_of(q));
+  return {{R.transpose() * I0 * R, "the turn goes the wrong way: R^T I0 R"},
+          {I0, "the body's inertia is used as the world's: the turn is missing"},
+          {R * I0, "turned from one side only: R I0"},
+          {I0 * R.transpose(), "turned from one side only: I0 R^T"}};
+}
+
+std::vector<tests::Suspect<Vec3>> suspects_of_torque(const Vec3& center,
+                                                     const std::vector<AppliedForce>& forces) {
+  Vec3 about_origin = Vec3::Zero();
+  Vec3 right = Vec3::Zero();
+  Vec3 last = Vec3::Zero();
+  for (const AppliedForce& applied : forces) {
+    last = (applied.point - center).cross(applied.force);
+    right += last;
+    about_origin += applied.point.cross(applied.force);
+  }
+  return {{-right, "the cross product is the wrong way round: f x r"},
+          {about_origin, "the torque is about the world's origin: p where p - x belongs"},
+          {last, "only the last force counts: = where += belongs"},
+          {Vec3::Zero(), "no force makes a torque"}};
+}
+
+Trial wrench_trial(const Vec3& center, const std::vector<AppliedForce>& forces, int index = 1,
+                   int count = 1) {
+  Trial trial = Trial("1.3 net_wrench", index, count).given("center_of_mass", center);
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    const std::string name = "forces[" + std::to_string(i) + "]";
+    trial = std::move(trial)
+                .given(name + ".force", forces[i].force)
+                .given(name + ".point", forces[i].point);
+  }
+  return trial;
+}
+
+double size_of(const Vec3& center, const std::vector<AppliedForce>& forces) {
+  double size = 0.0;
+  for (const AppliedForce& f : forces) size += (f.point.norm() + center.norm()) * f.force.norm();
+  return size;
+}
+
+std::vector<AppliedForce> random_forces(tests::Random& random, int count) {
+  std::vector<AppliedForce> forces;
+  for (int i = 0; i < count; ++i) {
+    const Vec3 force = random.vector(10.0);
+    forces.push_back({force, random.vector(2.0)});
+  }
+  return forces;
+}
+
+}  // namespace
+
+TEST_CASE("A quarter turn about z swaps the moments about x and y", "[1.3]") {
+  const Mat3 I0 = Vec3(1.0, 2.0, 3.0).asDiagonal();
+  const Mat3 wanted = Vec3(2.0, 1.0, 3.0).asDiagonal();
+  const Quat q = tests::rotation(std::acos(0.0), Vec3::UnitZ());
+  Trial("1.3 world_inertia")
+      .given("inertia_body", I0)
+      .given("world_from_body", q)
+      .expect(world_inertia(I0, q), wanted, {32.0 * eps * 3.0, "two products of 3 x 3 matrices"},
+              suspects_of_inertia(I0, q));
+}
+
+TEST_CASE("The world inertia is R I0 R transposed for any symmetric I0", "[1.3]") {
+  tests::Random random(31);
+  for (int i = 1; i <= 100; ++i) {
+    const Mat3 I0 = random.inertia();
+    const Quat q = random.attitude();
+    const tests::Mat3L R = tests::matrix_of(q);
+    const Mat3 wanted = rounded(R * I0.cast<long double>() * R.transpose());
+    Trial("1.3 world_inertia", i, 100)
+        .given("inertia_body", I0)
+        .given("world_from_body", q)
+        .expect(
+            world_inertia(I0, q), wanted,
+            {32.0 * eps * I0.norm(), "two products of 3 x 3 matrices, 9 dot products of 3 each"},
+            suspects_of_inertia(I0, q));
+  }
+}
+
+TEST_CASE("A ball has the same inertia in every attitude", "[1.3]") {
+  tests::Random random(32);
+  const Mat3 I0 = 0.4 * Mat3::Identity();
+  for (int i = 1; i <= 20; ++i) {
+    const Quat q = random.attitude();
+    Trial("1.3 world_inertia", i, 20)
+        .given("inertia_body", I0)
+        .given("world_from_body", q)
+        .expect(world_inertia(I0, q), I0,
+                {32.0 * eps * I0.norm(), "two products of 3 x 3 matrices"},
+                suspects_of_inertia(I0, q));
+  }
+}
+
+TEST_CASE("A turn keeps the kinetic energy of a spin that turns along", "[1.3]") {
+  tests::Random random(33);
+  for (int i = 1; i <= 20; ++i) {
+    const Mat3 I0 = random.inertia();
+    const Quat q = random.attitude();
+    const Vec3 omega_body = random.vector(2.0);
+    const Vec3 omega = tests::turned(q, omega_body);
+    const Mat3 inertia = world_inertia(I0, q);
+    const double error = std::abs(omega.dot(inertia * omega) - omega_body.dot(I0 * omega_body));
+    Trial("1.3 world_inertia", i, 20)
+        .given("inertia_body", I0)
+        .given("world_from_body", q)
+        .expect_small("|omega.I omega - omega_body.I0 omega_body|", error,
+                      {64.0 * eps * I0.norm() * omega.squaredNorm(), "some 60 rounded operations"});
+  }
+}
+
+TEST_CASE("A force on the x side along y turns about plus z", "[1.3]") {
+  const Vec3 center(5.0, 0.0, 0.0);
+  const std::vector<AppliedForce> forces{{Vec3(0.0, 3.0, 0.0), Vec3(7.0, 0.0, 0.0)}};
+  const Wrench got = net_wrench(center, forces);
+  const tests::Bound exact{0.0, "small whole numbers are exact"};
+  wrench_trial(center, forces).expect(got.force, Vec3(0.0, 3.0, 0.0), exact);
+  wrench_trial(center, forces)
+      .expect(got.torque, Vec3(0.0, 0.0, 6.0), exact, suspects_of_torque(center, forces));
+}
+
+TEST_CASE("Forces and torques add up", "[1.3]") {
+  tests::Random random(34);
+  for (int i = 1; i <= 50; ++i) {
+    const Vec3 center = random.vector(2.0);
+    const std::vector<AppliedForce> forces = random_forces(random, 2 + i % 5);
+    Vec3 force = Vec3::Zero();
+    tests::Vec3L torque = tests::Vec3L::Zero();
+    double total = 0.0;
+    for (const AppliedForce& applied : forces) {
+      const tests::Vec3L r = applied.point.cast<long double>() - center.cast<long double>();
+      force += applied.force;
+      torque += r.cross(applied.force.cast<long double>());
+      total += applied.force.norm();
+    }
+    const Wrench got = net_wrench(center, forces);
+    const Trial trial = wrench_trial(center, forces, i, 50);
+    trial.expect(got.force, force, {8.0 * eps * total, "at most six additions, in any order"},
+                 {{forces.back().force, "only the last force counts: = where += belongs"},
+                  {forces.front().force, "only the first force counts"}});
+    trial.expect(got.torque, Vec3(torque.cast<double>()),
+                 {16.0 * eps * size_of(center, forces), "at most six cross products and additions"},
+                 suspects_of_torque(center, forces));
+  }
+}
+
+TEST_CASE("A couple moves nothing and turns the same about every centre", "[1.3]") {
+  const std::vector<AppliedForce> couple{{Vec3(0.0, 2.0, 0.0), Vec3(1.0, 0.0, 0.0)},
+                                         {Vec3(0.0, -2.0, 0.0), Vec3(-1.0, 0.0, 0.0)}};
+  const tests::Bound exact{0.0, "small whole numbers are exact"};
+  for (const Vec3& center : {Vec3(0.0, 0.0, 0.0), Vec3(4.0, -3.0, 2.0)}) {
+    const Wrench got = net_wrench(center, couple);
+    wrench_trial(center, couple)
+        .expect(got.force, Vec3(Vec3::Zero()), exact,
+                {{couple.back().force, "only the last force counts: = where += belongs"}});
+    wrench_trial(center, couple)
+        .expect(got.torque, Vec3(0.0, 0.0, 4.0), exact, suspects_of_torque(center, couple));
+  }
+}
+
+TEST_CASE("Without forces there is neither force nor torque", "[1.3]") {
+  const Wrench got = net_wrench(Vec3(1.0, 2.0, 3.0), {});
+  const tests::Bound exact{0.0, "an empty sum"};
+  wrench_trial(Vec3(1.0, 2.0, 3.0), {}).expect(got.force, Vec3(Vec3::Zero()), exact);
+  wrench_trial(Vec3(1.0, 2.0, 3.0), {}).expect(got.torque, Vec3(Vec3::Zero()), exact);
+}

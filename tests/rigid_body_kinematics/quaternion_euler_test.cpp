@@ -1,0 +1,148 @@
+#include "catch.hpp"
+#include "coning.hpp"
+#include "oracle.hpp"
+#include "random.hpp"
+#include "rigid_body_kinematics.hpp"
+#include "trial.hpp"
+
+using namespace lab::rigid_body_kinematics;
+using tests::eps;
+using tests::product;
+using tests::Trial;
+
+namespace {
+
+Quat pure(const Vec3& v) { return {0.0, v.x(), v.y(), v.z()}; }
+
+Quat sum(const Quat& q, double factor, const Quat& rate) {
+  return Quat(Eigen::Vector4d(q.coeffs() + factor * rate.coeffs()));
+}
+
+std::vector<tests::Suspect<Quat>> suspects_of(const Quat& q, const Vec3& omega, double dt) {
+  const Quat left = product(pure(omega), q);
+  const Quat right = product(q, pure(omega));
+  const double x = omega.norm() * dt;
+  return {{sum(q, dt, left).normalized(), "the factor 1/2 is missing: it turns twice as far"},
+          {sum(q, 0.5 * dt, right).normalized(),
+           "omega stands on the right of q: that is for an omega in the body frame"},
+          {sum(q, 0.5 * dt, left), "the quaternion is not normalised"},
+          {sum(q, -0.5 * dt, left).normalized(), "it turns the wrong way: the sign of omega"},
+          {sum(q, 0.5 * dt, pure(omega)).normalized(), "q is missing behind omega"},
+          {product(tests::rotation(x, omega.normalized()), q),
+           "this is the exact turn of step 1.6; this step asks for Euler"}};
+}
+
+Trial step_trial(const Quat& q, const Vec3& omega, double dt, int index = 1, int count = 1) {
+  return Trial("1.5 step_quaternion_euler", index, count)
+      .given("world_from_body", q)
+      .given("angular_velocity", omega)
+      .given("dt", dt);
+}
+
+/// How far a step of x = omega dt about z lags behind x, as a fraction of x.
+double lag(double x) {
+  const Quat q = step_quaternion_euler(Quat::Identity(), Vec3::UnitZ(), x);
+  return 1.0 - common::angle_between(Quat::Identity(), q) / x;
+}
+
+}  // namespace
+
+TEST_CASE("At two radians a step Euler turns a quarter turn", "[1.5]") {
+  // q = (1, 0, 0, 1)/sqrt2: 2 atan(x/2) at x = 2.
+  const Vec3 omega(0.0, 0.0, 4.0);
+  const Quat q = Quat::Identity();
+  step_trial(q, omega, 0.5)
+      .expect(step_quaternion_euler(q, omega, 0.5), Quat(std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)),
+              {4.0 * eps, "a root and a division"}, suspects_of(q, omega, 0.5));
+}
+
+TEST_CASE("A quaternion step goes along half of omega q and is normalised", "[1.5]") {
+  tests::Random random(51);
+  for (int i = 1; i <= 100; ++i) {
+    const Quat q = random.attitude();
+    const Vec3 omega = random.vector(5.0);
+    const double dt = random.uniform(-0.3, 0.3);
+    const Quat wanted = sum(q, 0.5 * dt, product(pure(omega), q)).normalized();
+    step_trial(q, omega, dt, i, 100)
+        .expect(
+            step_quaternion_euler(q, omega, dt), wanted,
+            {16.0 * eps, "some 30 operations; the sum is at least as long as q, so none cancels"},
+            suspects_of(q, omega, dt));
+  }
+}
+
+TEST_CASE("The attitude stays a unit quaternion over many steps", "[1.5]") {
+  tests::Random random(52);
+  Quat q = random.attitude();
+  for (int i = 1; i <= 200; ++i) {
+    const Vec3 omega = random.vector(5.0);
+    const Quat before = q;
+    q = step_quaternion_euler(q, omega, 0.1);
+    step_trial(before, omega, 0.1, i, 200)
+        .expect_small("||q| - 1| beyond that of the step before",
+                      std::abs(q.norm() - 1.0) - std::abs(before.norm() - 1.0),
+                      {4.0 * eps, "normalised to a few ulp"}, {"the quaternion is not normalised"});
+    if (i == 1) {
+      step_trial(before, omega, 0.1)
+          .expect_small("0.01 - angle turned", 0.01 - common::angle_between(before, q),
+                        {0.0, "a unit quaternion that never turns is no step"});
+    }
+  }
+}
+
+TEST_CASE("Without a spin or a step the attitude stays", "[1.5]") {
+  tests::Random random(53);
+  const Quat q = random.attitude();
+  const tests::Bound rounding{4.0 * eps, "only the normalisation rounds"};
+  step_trial(q, Vec3::Zero(), 0.1).expect(step_quaternion_euler(q, Vec3::Zero(), 0.1), q, rounding);
+  step_trial(q, Vec3::UnitX(), 0.0)
+      .expect(step_quaternion_euler(q, Vec3::UnitX(), 0.0), q, rounding);
+}
+
+TEST_CASE("A quaternion step turns by twice the arc tangent of x over 2", "[1.5]") {
+  tests::Random random(54);
+  int index = 0;
+  for (const double x : {1e-6, 0.1, 0.5, 1.0, 3.0, 10.0, 1e6}) {
+    const Vec3 axis = random.direction();
+    const Quat q = step_quaternion_euler(Quat::Identity(), axis, x);
+    step_trial(Quat::Identity(), axis, x, ++index, 7)
+        .expect(common::angle_between(Quat::Identity(), q), 2.0 * std::atan(0.5 * x),
+                {16.0 * eps, "a few roundings; the angle is read without cancellation"},
+                {{2.0 * std::atan(x), "the factor 1/2 is missing: it turns twice as far"}});
+  }
+}
+
+TEST_CASE("However large the step it never turns more than half a turn", "[1.5]") {
+  for (const double x : {4.0, 100.0, 1e8}) {
+    const Quat q = step_quaternion_euler(Quat::Identity(), Vec3::UnitX(), x);
+    const Trial trial = step_trial(Quat::Identity(), Vec3::UnitX(), x);
+    trial.expect(q, Quat(2.0 / std::hypot(2.0, x), x / std::hypot(2.0, x), 0.0, 0.0),
+                 {8.0 * eps, "(2, x)/sqrt(4 + x^2): its real part is above zero for every x"},
+                 suspects_of(Quat::Identity(), Vec3::UnitX(), x));
+  }
+}
+
+TEST_CASE("The lag passes one per cent where the formula says", "[1.5]") {
+  // x − 2 atan(x/2) = x/100, by bisection: x = 0.349.
+  double low = 0.1;
+  double high = 1.0;
+  while (high - low > 1e-15) {
+    const double middle = 0.5 * (low + high);
+    (1.0 - 2.0 * std::atan(0.5 * middle) / middle < 0.01 ? low : high) = middle;
+    if (middle == low && middle == high) break;
+  }
+  const Trial trial = Trial("1.5 step_quaternion_euler").given("threshold of omega dt", low);
+  trial.expect_small("lag at 0.9 of the threshold", std::abs(lag(0.9 * low)),
+                     {0.01, "the closed form"},
+                     {"the factor 1/2 is missing: it turns twice as far"});
+  trial.expect_small("0.01 - lag at 1.1 of the threshold", 0.01 - lag(1.1 * low),
+                     {0.0, "the closed form: here the lag is above one per cent"});
+}
+
+TEST_CASE("Euler on the quaternion converges with order one on a coning motion", "[1.5]") {
+  const auto step = [](const common::ConingMotion& motion, const Quat& q, double t, double dt) {
+    return step_quaternion_euler(q, angular_velocity(motion, t), dt);
+  };
+  tests::expect_order(Trial("1.5 step_quaternion_euler"), tests::coning_motion().world_from_body,
+                      step, 1.0);
+}

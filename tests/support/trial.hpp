@@ -1,0 +1,119 @@
+#pragma once
+
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "catch.hpp"
+#include "common/not_implemented.hpp"
+#include "values.hpp"
+
+namespace tests {
+
+/// How far off a right answer may be, and why so far.
+struct Bound {
+  double value;
+  std::string reason;
+};
+
+/// What a known mistake would have returned for the same input.
+template <typename Value>
+struct Suspect {
+  Value value;
+  std::string story;
+};
+
+/// One input on which a contract function is judged. When the judgement fails it explains itself on
+/// stderr, a line a fact, each after "| ": step, case, input, got, wanted, error, because, likely.
+class Trial {
+ public:
+  /// step_and_function  as the stub throws it: "1.2 point_velocity"
+  /// index, count       which of how many inputs of one test case, from 1
+  explicit Trial(std::string step_and_function, int index = 1, int count = 1)
+      : step_(std::move(step_and_function)), index_(index), count_(count) {}
+
+  /// An argument, printed as C++ that can be pasted.
+  template <typename Value>
+  Trial&& given(const std::string& name, const Value& value) && {
+    inputs_.push_back(name + " = " + text(value) + ";");
+    return std::move(*this);
+  }
+
+  /// Requires |got − wanted| ≤ bound, in the norm of values.hpp. Where exactly one suspect gives
+  /// what was got (twice the bound is allowed) it is named as the likely mistake.
+  template <typename Value>
+  void expect(const Value& got, const Value& wanted, const Bound& bound,
+              const std::vector<Suspect<Value>>& suspects = {}) const {
+    if (!is_finite(got)) fail_not_finite(text(got), text(wanted));
+    const double error = difference(got, wanted);
+    if (!(error <= bound.value)) {
+      std::vector<std::string> stories;
+      for (const Suspect<Value>& suspect : suspects) {
+        const bool looks_right = difference(suspect.value, wanted) <= 4.0 * bound.value;
+        const double tolerance = 2.0 * bound.value + 8.0 * eps * length(suspect.value);
+        if (!looks_right && difference(got, suspect.value) <= tolerance) {
+          stories.push_back(suspect.story);
+        }
+      }
+      explain(text(got), text(wanted), text(error) + ", bound " + text(bound.value), bound.reason,
+              stories);
+    }
+    REQUIRE(error <= bound.value);
+  }
+
+  /// Requires a property of the result: `error` ≤ bound, where `what` says what the error measures.
+  void expect_small(const std::string& what, double error, const Bound& bound,
+                    const std::vector<std::string>& likely = {}) const {
+    if (!is_finite(error)) fail_not_finite(what + " = " + text(error), "0");
+    if (!(error <= bound.value)) {
+      explain(what + " = " + text(error), "0", text(error) + ", bound " + text(bound.value),
+              bound.reason, likely);
+    }
+    REQUIRE(error <= bound.value);
+  }
+
+  /// Requires that the call throws; NotImplemented passes through.
+  template <typename Call>
+  void expect_throw(const Call& call, const std::string& why) const {
+    try {
+      const auto got = call();
+      if (!is_finite(got)) fail_not_finite(text(got), "an exception");
+      explain(text(got), "an exception", "none thrown", why, {});
+    } catch (const common::NotImplemented&) {
+      throw;
+    } catch (const std::exception&) {
+      SUCCEED("it throws");
+      return;
+    }
+    FAIL(step_ << " returned a value, but must throw: " << why);
+  }
+
+ private:
+  [[noreturn]] void fail_not_finite(const std::string& got, const std::string& wanted) const {
+    explain(got, wanted, "not finite", "NaN and infinity are never right here", {});
+    FAIL(step_ << " returned a value that is not finite");
+    std::terminate();  // FAIL throws
+  }
+
+  /// Two stories that fit are none: only a sure sign is named.
+  void explain(const std::string& got, const std::string& wanted, const std::string& error,
+               const std::string& reason, const std::vector<std::string>& stories) const {
+    std::string lines = "| step    " + step_ + "\n";
+    if (count_ > 1) {
+      lines += "| case    " + std::to_string(index_) + " of " + std::to_string(count_) + "\n";
+    }
+    for (const std::string& input : inputs_) lines += "| input   " + input + "\n";
+    lines += "| got     " + got + "\n| wanted  " + wanted + "\n| error   " + error + "\n";
+    lines += "| because " + reason + "\n";
+    if (stories.size() == 1) lines += "| likely  " + stories.front() + "\n";
+    std::cerr << lines << std::flush;
+  }
+
+  std::string step_;
+  int index_;
+  int count_;
+  std::vector<std::string> inputs_;
+};
+
+}  // namespace tests

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <string>
+
+#include "common/types.hpp"
+
+/// How tests compare and print the values that contracts return.
+namespace tests {
+
+using common::Mat3;
+using common::Quat;
+using common::Vec3;
+
+/// Distance from 1 to the next double: a rounded operation errs by at most half of it, relatively.
+inline constexpr double eps = std::numeric_limits<double>::epsilon();
+
+inline bool is_finite(double value) { return std::isfinite(value); }
+inline bool is_finite(const Quat& value) { return value.coeffs().allFinite(); }
+template <typename Derived>
+bool is_finite(const Eigen::MatrixBase<Derived>& value) {
+  return value.allFinite();
+}
+
+/// Length of all entries together, without overflow or underflow on the way.
+inline double length(double value) { return std::abs(value); }
+inline double length(const Vec3& value) { return value.stableNorm(); }
+inline double length(const Quat& value) { return value.coeffs().stableNorm(); }
+inline double length(const Mat3& value) {
+  return Eigen::Map<const Eigen::Matrix<double, 9, 1>>(value.data()).stableNorm();
+}
+
+inline double difference(double a, double b) { return length(a - b); }
+inline double difference(const Vec3& a, const Vec3& b) { return length(Vec3(a - b)); }
+inline double difference(const Mat3& a, const Mat3& b) { return length(Mat3(a - b)); }
+/// q and −q are one attitude.
+inline double difference(const Quat& a, const Quat& b) {
+  return std::min((a.coeffs() - b.coeffs()).norm(), (a.coeffs() + b.coeffs()).norm());
+}
+
+/// The shortest decimal that reads back as the same double: 17 digits where 15 do not do.
+inline std::string text(double value) {
+  char digits[32];
+  for (const int precision : {6, 15, 17}) {
+    std::snprintf(digits, sizeof digits, "%.*g", precision, value);
+    if (std::strtod(digits, nullptr) == value) break;
+  }
+  return digits;
+}
+/// As C++ that a student can paste.
+inline std::string text(const Vec3& v) {
+  return "Vec3(" + text(v.x()) + ", " + text(v.y()) + ", " + text(v.z()) + ")";
+}
+inline std::string text(const Quat& q) {
+  return "Quat(" + text(q.w()) + ", " + text(q.x()) + ", " + text(q.y()) + ", " + text(q.z()) + ")";
+}
+inline std::string text(const Mat3& m) {
+  std::string rows = "Mat3{";
+  for (int i = 0; i < 3; ++i) {
+    rows += i == 0 ? "{" : ", {";
+    rows += text(m(i, 0)) + ", " + text(m(i, 1)) + ", " + text(m(i, 2)) + "}";
+  }
+  return rows + "}";
+}
+
+}  // namespace tests

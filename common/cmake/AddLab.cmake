@@ -52,8 +52,8 @@ endfunction()
 # add_mutant(<name> <mistake> <step> <find> <replace> <words>)
 #
 # The reference with one mistake in it: <find>, which must stand in it, is replaced. A test of <step>
-# must fail, and the likely mistake that the tests name must hold <words>; no other may be named.
-# Empty <words>: a mistake without a fingerprint, of which the tests must name none.
+# must fail, and the likely mistake that its tests name must hold <words>; no other may be named.
+# Empty <words>: a mistake without a fingerprint, for which they must name none.
 function(add_mutant name mistake step find replace words)
   cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME folder)
   set(reference "${PROJECT_SOURCE_DIR}/solutions/${folder}/${name}.cpp")

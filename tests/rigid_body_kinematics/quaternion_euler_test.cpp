@@ -28,6 +28,8 @@ std::vector<tests::Suspect<Quat>> suspects_of(const Quat& q, const Vec3& omega, 
           {sum(q, 0.5 * dt, left), "the quaternion is not normalised"},
           {sum(q, -0.5 * dt, left).normalized(), "it turns the wrong way: the sign of omega"},
           {sum(q, 0.5 * dt, pure(omega)).normalized(), "q is missing behind omega"},
+          {sum(q, 0.5 * dt, product({omega.x(), omega.y(), omega.z(), 0.0}, q)).normalized(),
+           "the order of the coefficients: Quat's constructor takes (w, x, y, z)"},
           {product(tests::rotation(x, omega.normalized()), q),
            "this is the exact turn of step 1.6; this step asks for Euler"}};
 }

@@ -1,0 +1,125 @@
+// One angular velocity, two integrators: a box under the exponential map, and its twin under raw
+// Euler on R, which swells. A painted corner leaves its trail.
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <numbers>
+#include <optional>
+
+#include "common/attitude.hpp"
+#include "common/coning_motion.hpp"
+#include "common/not_implemented.hpp"
+#include "render/film.hpp"
+#include "rigid_body_kinematics.hpp"
+
+using namespace lab::rigid_body_kinematics;
+namespace palette = render::palette;
+
+namespace {
+
+constexpr double duration = 4.0;
+constexpr double dt = 0.04;
+constexpr int steps = 100;
+const Vec3 half_extents(0.42, 0.28, 0.16);
+
+common::ConingMotion motion() {
+  common::ConingMotion coning;
+  coning.rate = std::numbers::pi;
+  coning.angular_velocity = {3.0, 0.0, 2.0};
+  return coning;
+}
+
+/// The attitudes of one box, a matrix a step.
+struct Track {
+  std::string name;
+  Vec3 center;
+  render::Paint paint;
+  std::vector<Mat3> world_from_body;
+};
+
+/// What a method makes of the motion; nothing, and an entry in `missing`, where it is not written.
+template <typename Attitude>
+std::optional<Track> tracked(Track track, Attitude attitude, double offset,
+                             const std::function<Attitude(const Attitude&, const Vec3&)>& step,
+                             std::vector<std::string>& missing) {
+  try {
+    for (int i = 0; i <= steps; ++i) {
+      track.world_from_body.push_back(Mat3(attitude));
+      attitude = step(attitude, angular_velocity(motion(), (i + offset) * dt));
+    }
+    return track;
+  } catch (const common::NotImplemented& error) {
+    missing.push_back(error.step_and_function());
+    return std::nullopt;
+  }
+}
+
+std::size_t step_at(double time) { return static_cast<std::size_t>(std::lround(time / dt)); }
+
+/// A box, its painted corner with the trail so far, and ω.
+void add_box(render::Scene& scene, const Track& track, double time) {
+  const std::size_t now = step_at(time);
+  const render::Placement placement{track.center, track.world_from_body[now]};
+  scene.boxes.push_back({placement, half_extents, track.paint});
+
+  render::Trail trail{{}, palette::ink, 3.0};
+  for (std::size_t i = 0; i <= now; ++i) {
+    trail.points.push_back(track.center + track.world_from_body[i] * half_extents);
+  }
+  scene.spheres.push_back({{trail.points.back(), Mat3::Identity()}, 0.055, {palette::vermilion}});
+  scene.trails.push_back(trail);
+
+  const Vec3 omega = angular_velocity(motion(), time);
+  const Vec3 tip = track.center + 0.32 * omega;
+  scene.arrows.push_back({track.center, tip, palette::green, 0.035});
+  scene.labels.push_back({tip + Vec3(0.08, 0.0, 0.08), "ω", palette::green, 22.0});
+  scene.labels.push_back({Vec3(track.center.x() - 0.75, 0.0, 0.02), track.name});
+}
+
+/// The foot of the strip: how far off each box is at the end.
+std::string measured(const std::vector<Track>& tracks) {
+  std::string text;
+  for (const Track& track : tracks) {
+    const Mat3& R = track.world_from_body.back();
+    const Mat3 exact = attitude(motion(), duration).toRotationMatrix();
+    char line[128];
+    std::snprintf(line, sizeof line, "%s%s: %.1e rad off, |RᵀR − 1| = %.0e",
+                  text.empty() ? "" : "   ", track.name.c_str(), common::chordal_distance(R, exact),
+                  (R.transpose() * R - Mat3::Identity()).norm());
+    text += line;
+  }
+  return text;
+}
+
+render::Film make_film() {
+  render::Film film;
+  film.title = "One spin, two integrators";
+  film.subtitle = "the same ω(t): the exponential map keeps the box, raw Euler on R swells it";
+  film.parameters = "ω(0) = (3, 0, 2) rad/s, coning about z at half a turn a second, dt = 0.04 s";
+  film.duration = duration;
+  film.strip_times = {0.0, 0.8, 1.6, 2.4, 3.2, 4.0};
+  film.bounds = {{-2.0, -1.2, 0.0}, {2.6, 1.2, 2.9}};
+  film.towards_eye = {0.25, -2.2, 0.75};
+
+  std::vector<Track> tracks;
+  const auto keep = [&](const std::optional<Track>& track) {
+    if (track) tracks.push_back(*track);
+  };
+  keep(tracked<Quat>(
+      {"exponential map", {-1.2, 0.0, 1.45}, {palette::sky, palette::blue}, {}}, Quat::Identity(),
+      0.5, [](const Quat& q, const Vec3& w) { return step_exponential(q, w, dt); }, film.missing));
+  keep(tracked<Mat3>(
+      {"Euler on R", {1.3, 0.0, 1.45}, {palette::orange, palette::vermilion}, {}}, Mat3::Identity(),
+      0.0, [](const Mat3& R, const Vec3& w) { return step_matrix_euler(R, w, dt); }, film.missing));
+  film.measured = measured(tracks);
+  film.scene_at = [tracks](double time) {
+    render::Scene scene;
+    for (const Track& track : tracks) add_box(scene, track, time);
+    return scene;
+  };
+  return film;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { return render::film_main(argc, argv, make_film); }

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "render/colour.hpp"
+
+namespace render {
+
+enum class Status { ok, unstable, not_implemented };
+
+/// What one method does at one value of its cost parameter.
+struct ChartPoint {
+  double parameter = 0.0;    ///< as steps a turn
+  double error = 0.0;        ///< the largest over all checkpoints, against an exact reference
+  double seconds = 0.0;      ///< a unit of work, median of interleaved repeats
+  double evaluations = 0.0;  ///< a unit of work
+  Status status = Status::ok;
+};
+
+/// One method over the ladder of its cost parameter.
+struct ChartSeries {
+  std::string method;
+  double order = 0.0;  ///< theory: error ~ seconds^-order; 0 draws no slope
+  Colour colour = palette::ink;
+  std::vector<ChartPoint> points;  ///< in the order of the parameter; none where not written yet
+  std::string missing;             ///< the step that is not written yet, or empty
+};
+
+/// Error against time, log-log: what a lab's methods cost and what they are worth.
+struct Chart {
+  std::string lab;              ///< folder name of the lab, as in the CSV's first column
+  std::string title;            ///< as in "Attitude of a coning body"
+  std::string subtitle;         ///< what is done, and what to read off
+  std::string error_name;       ///< as in "largest attitude error"
+  std::string error_unit;       ///< as in "rad"
+  std::string work_unit;        ///< as in "turn"
+  std::string parameter_name;   ///< as in "steps a turn"
+  double failure_error = 0.0;   ///< at this error and above a method has failed; 0 draws none
+  std::string failure_text;     ///< why there
+  double rounding_floor = 0.0;  ///< error that double precision leaves at best; 0 draws none
+  std::vector<ChartSeries> series;
+};
+
+/// lab,method,parameter,error,error_unit,seconds,work_unit,evaluations,status; a method that is not
+/// written yet has one row, without numbers.
+std::string chart_csv(const Chart& chart);
+
+/// A gnuplot script that draws chart.csv of its folder as chart.svg and chart.png. Labels stand in
+/// a right margin that is as wide as the longest of them, so none is cut off and none hides
+/// another.
+std::string chart_script(const Chart& chart);
+
+/// Writes chart.csv and chart.gp and, where gnuplot is installed, chart.svg and chart.png into
+/// `folder`, which appears whole or not at all. Returns whether pictures were drawn.
+/// Throws std::runtime_error that names the folder, or says what gnuplot said.
+bool write_chart(const Chart& chart, const std::filesystem::path& folder);
+
+}  // namespace render

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "render/chart.hpp"
+
+namespace render {
+
+/// What a run of a method showed, apart from its time.
+struct Judgement {
+  double error = 0.0;
+  double evaluations = 0.0;  ///< a unit of work
+  bool stable = true;
+};
+
+/// A method of a lab as a chart program measures it.
+struct Method {
+  std::string name;
+  double order = 0.0;  ///< of convergence in theory
+  Colour colour = palette::ink;
+  std::vector<double> parameters;                    ///< its ladder, from cheap to dear
+  std::function<Judgement(double parameter)> judge;  ///< runs it against the exact reference
+  std::function<void(double parameter)> run;         ///< does `units` units of work: this is timed
+  double units = 1.0;
+};
+
+/// Judges every method at every parameter, then times all of them by Google Benchmark in random
+/// order, several repeats each, and takes the median. A method that throws common::NotImplemented
+/// becomes a series without points that names the step.
+std::vector<ChartSeries> measured(const std::vector<Method>& methods);
+
+/// The body of every chart program:  --out DIR. `make_chart` gives the words, `methods` the series.
+/// Whatever is wrong becomes one line on stderr and a non-zero exit code; methods that are left out
+/// since they are not written yet are named, and where none is written nothing is drawn.
+int chart_main(int argc, char** argv, Chart chart, const std::vector<Method>& methods);
+
+}  // namespace render

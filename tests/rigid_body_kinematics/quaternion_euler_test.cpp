@@ -125,7 +125,7 @@ TEST_CASE("However large the step it never turns more than half a turn", "[1.5]"
 }
 
 TEST_CASE("The lag passes one per cent where the formula says", "[1.5]") {
-  // x − 2 atan(x/2) = x/100, by bisection: x = 0.349.
+  // x − 2 atan(x/2) = x/100, by bisection: x = 0.3496.
   double low = 0.1;
   double high = 1.0;
   while (high - low > 1e-15) {

@@ -1,0 +1,70 @@
+"""Plants breaches of the architecture in a copy of the tree: the architecture test must see each.
+
+usage: architecture_breach_test.py CMAKE
+"""
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+LAB = "1_rigid_body_kinematics"
+NAME = "rigid_body_kinematics"
+
+# (what it is, file, text that is added to it; None: the file is removed)
+BREACHES = [
+    ("common draws", "common/types.hpp", '#include "render/scene.hpp"\n'),
+    ("common tests", "common/types.hpp", "#include <catch2/catch.hpp>\n"),
+    ("render knows a lab", "render/image.hpp", f'#include "labs/{LAB}/{NAME}.hpp"\n'),
+    ("an answer draws", f"solutions/{LAB}/{NAME}.cpp", '#include "render/scene.hpp"\n'),
+    ("an answer copies another", f"solutions/{LAB}/{NAME}.cpp", f'#include "solutions/{LAB}/x.hpp"\n'),
+    ("a stub draws", f"labs/{LAB}/{NAME}.cpp", '#include "render/scene.hpp"\n'),
+    ("a contract draws", f"labs/{LAB}/{NAME}.hpp", '#include "render/scene.hpp"\n'),
+    ("a lab reaches a solution", f"labs/{LAB}/scene.cpp", f'#include "solutions/{LAB}/{NAME}.cpp"\n'),
+    ("a lab reaches another by ..", f"labs/{LAB}/scene.cpp", '#include "../2_x/x.hpp"\n'),
+    ("a scene calls GL itself", f"labs/{LAB}/scene.cpp", "#include <GL/gl.h>\n"),
+    ("a test includes a solution", f"tests/{NAME}/mass_test.cpp",
+     f'#include "solutions/{LAB}/{NAME}.cpp"\n'),
+    ("a handout is missing", f"labs/{LAB}/README.md", None),
+    ("hints are missing", f"labs/{LAB}/hints.md", None),
+    ("a reference is missing", f"solutions/{LAB}/{NAME}.cpp", None),
+    ("the second right answer is missing", f"solutions/{LAB}/by_components.cpp", None),
+    ("the bank of mistakes is missing", f"solutions/{LAB}/mistakes.cmake", None),
+    ("a lab vanishes from the list", "labs/CMakeLists.txt", None),
+    ("a lab is not declared", f"labs/{LAB}/CMakeLists.txt", None),
+]
+
+
+def run(cmake: str, root: Path) -> subprocess.CompletedProcess:
+    return subprocess.run([cmake, "-D", f"root={root}", "-P", ROOT / "tests/architecture_test.cmake"],
+                          capture_output=True, text=True, check=False)
+
+
+def main() -> int:
+    cmake = sys.argv[1]
+    missed = []
+    with tempfile.TemporaryDirectory() as folder:
+        for number, (story, file, text) in enumerate(BREACHES):
+            root = Path(folder) / str(number)
+            for part in ("common", "render", "labs", "solutions", "tests"):
+                shutil.copytree(ROOT / part, root / part, ignore=shutil.ignore_patterns("*.png"))
+            if number == 0 and run(cmake, root).returncode != 0:
+                missed.append("the untouched copy is refused")
+            if text is None:
+                (root / file).unlink()
+            else:
+                with (root / file).open("a", encoding="utf-8") as handle:
+                    handle.write(text)
+            done = run(cmake, root)
+            if done.returncode == 0 or "architecture:" not in done.stderr:
+                missed.append(story)
+            shutil.rmtree(root)
+    for story in missed:
+        print(f"not caught: {story}")
+    print(f"{len(BREACHES) - len(missed)} of {len(BREACHES)} breaches caught")
+    return 1 if missed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,94 @@
+# Folders depend on each other in one direction only, and every lab is complete.
+# Run: cmake -D root=<project> -P architecture_test.cmake
+set(failures "")
+
+# forbid(<glob> <include regex>...): no such file may include what fits.
+function(forbid glob)
+  file(GLOB_RECURSE files "${root}/${glob}/*.hpp" "${root}/${glob}/*.cpp")
+  foreach(file IN LISTS files)
+    foreach(pattern IN LISTS ARGN)
+      file(STRINGS "${file}" hits REGEX "^[ \t]*#[ \t]*include[ \t]+[<\"]${pattern}")
+      if(hits)
+        cmake_path(RELATIVE_PATH file BASE_DIRECTORY "${root}")
+        list(APPEND failures "${file} includes ${pattern}")
+      endif()
+    endforeach()
+  endforeach()
+  set(failures "${failures}" PARENT_SCOPE)
+endfunction()
+
+# demand(<file> <regex>): the file must have a line that fits.
+function(demand file regex)
+  set(hits "")
+  if(EXISTS "${root}/${file}")
+    file(STRINGS "${root}/${file}" hits REGEX "${regex}")
+  endif()
+  if(NOT hits)
+    list(APPEND failures "${file} lacks '${regex}'")
+  endif()
+  set(failures "${failures}" PARENT_SCOPE)
+endfunction()
+
+# Who may include whom. A file reaches its own lab's contract by name, without a folder.
+forbid(common "render/" "labs/" "solutions/" "tests/" "GL/" "EGL/" "stb" "catch" "benchmark/")
+forbid(render "labs/" "solutions/" "tests/" "catch")
+forbid(solutions "render/" "labs/" "solutions/" "tests/" "GL/" "catch" "boost/")
+forbid(labs "labs/" "solutions/" "tests/" "GL/" "EGL/" "stb" "catch" "boost/" "benchmark/" "[.][.]/")
+forbid(tests "labs/" "solutions/")
+
+# An answer that draws could not be graded where no graphics is installed.
+file(GLOB labs RELATIVE "${root}/labs" "${root}/labs/[0-9]*_*")
+foreach(folder IN LISTS labs)
+  string(REGEX REPLACE "^[0-9]+_" "" name "${folder}")
+  foreach(file IN ITEMS labs/${folder}/${name}.cpp labs/${folder}/${name}.hpp)
+    if(EXISTS "${root}/${file}")
+      file(STRINGS "${root}/${file}" hits REGEX "#[ \t]*include[ \t]+\"render/")
+      if(hits)
+        list(APPEND failures "${file} includes render/")
+      endif()
+    endif()
+  endforeach()
+endforeach()
+
+# Every lab is whole and listed; a hand-out ships without solutions.
+foreach(folder IN LISTS labs)
+  string(REGEX REPLACE "^[0-9]+_" "" name "${folder}")
+  set(paths labs/${folder}/CMakeLists.txt labs/${folder}/README.md labs/${folder}/hints.md
+    labs/${folder}/${name}.hpp labs/${folder}/${name}.cpp labs/${folder}/scene.cpp
+    labs/${folder}/chart.cpp tests/${name})
+  if(EXISTS "${root}/solutions")
+    list(APPEND paths solutions/${folder}/${name}.cpp solutions/${folder}/mistakes.cmake
+      solutions/${folder}/mistakes/nan.cpp)
+    file(GLOB answers "${root}/solutions/${folder}/*.cpp")
+    list(LENGTH answers count)
+    if(count LESS 2)
+      list(APPEND failures "solutions/${folder} lacks a second right answer")
+    endif()
+    set(mistakes "")
+    if(EXISTS "${root}/solutions/${folder}/mistakes.cmake")
+      file(STRINGS "${root}/solutions/${folder}/mistakes.cmake" mistakes REGEX "^ *add_mutant")
+    endif()
+    list(LENGTH mistakes count)
+    if(count LESS 8)
+      list(APPEND failures "solutions/${folder}/mistakes.cmake has fewer than eight mistakes")
+    endif()
+  endif()
+  foreach(path IN LISTS paths)
+    if(NOT EXISTS "${root}/${path}")
+      list(APPEND failures "missing ${path}")
+    endif()
+  endforeach()
+  demand(labs/CMakeLists.txt "^ *${folder}\\)?$")
+  demand(labs/${folder}/CMakeLists.txt "add_lab\\(${name}\\)")
+endforeach()
+
+# Particle labs know no rigid body.
+foreach(name IN ITEMS 3_discrete_particle_cylinder 4_continuous_particle_cylinder)
+  forbid(labs/${name} "common/attitude" "common/coning" "common/rigid_body")
+  forbid(solutions/${name} "common/attitude" "common/coning" "common/rigid_body")
+endforeach()
+
+if(failures)
+  list(JOIN failures "\n  " text)
+  message(FATAL_ERROR "architecture:\n  ${text}")
+endif()

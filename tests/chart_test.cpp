@@ -1,0 +1,153 @@
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#include <stb_image.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "catch.hpp"
+#include "common/not_implemented.hpp"
+#include "render/chart.hpp"
+#include "render/measure.hpp"
+
+namespace fs = std::filesystem;
+using namespace render;
+
+namespace {
+
+struct TemporaryFolder {
+  fs::path path = fs::temp_directory_path() / ("chart_test." + std::to_string(getpid()));
+  TemporaryFolder() { fs::create_directories(path); }
+  ~TemporaryFolder() { fs::remove_all(path); }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+};
+
+std::string content(const fs::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+/// Three methods: one of order two, one that fails at its first point, one that is not written.
+Chart sample() {
+  Chart chart;
+  chart.lab = "9_example";
+  chart.title = "A title with {braces}, an under_score and 'quotes'";
+  chart.subtitle = "what is done";
+  chart.error_name = "largest error";
+  chart.error_unit = "rad";
+  chart.work_unit = "turn";
+  chart.failure_error = 2.0;
+  chart.failure_text = "nothing is further off";
+  chart.rounding_floor = 2e-16;
+  ChartSeries good{"good, \"as\" it should be", 2.0, palette::blue, {}, ""};
+  ChartSeries bad{"bad", 1.0, palette::orange, {}, ""};
+  for (int i = 0; i < 8; ++i) {
+    const double seconds = 1e-6 * std::pow(2.0, i);
+    good.points.push_back({std::pow(2.0, i), 0.1 * std::pow(4.0, -i), seconds, 10.0, Status::ok});
+    bad.points.push_back({std::pow(2.0, i), i == 0 ? 1e300 : std::pow(2.0, -i), 3.0 * seconds, 10.0,
+                          i == 0 ? Status::unstable : Status::ok});
+  }
+  chart.series = {good, bad, {"unwritten", 4.0, palette::green, {}, "9.3 unwritten"}};
+  return chart;
+}
+
+/// What `call` throws, or nothing.
+template <typename Call>
+std::string message_of(const Call& call) {
+  try {
+    call();
+    return "";
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+}
+
+bool has_gnuplot() { return std::system("command -v gnuplot > /dev/null") == 0; }
+
+}  // namespace
+
+TEST_CASE("The CSV has a row a point and one for what is not written", "[chart]") {
+  const std::string csv = chart_csv(sample());
+  CHECK(std::count(csv.begin(), csv.end(), '\n') == 1 + 8 + 8 + 1);
+  CHECK(csv.rfind("lab,method,parameter,error,error_unit,seconds,work_unit,evaluations,status\n", 0) ==
+        0);
+  CHECK(csv.find("9_example,bad,1,1e+300,rad,3e-06,turn,10,unstable\n") != std::string::npos);
+  CHECK(csv.find("9_example,unwritten,,,rad,,turn,,not_implemented\n") != std::string::npos);
+  CHECK(csv.find("9_example,\"good, \"\"as\"\" it should be\",1,0.1,rad,") != std::string::npos);
+}
+
+TEST_CASE("The script names what is left out", "[chart]") {
+  const std::string script = chart_script(sample());
+  CHECK(script.find("not written yet: 9.3 unwritten") != std::string::npos);
+  CHECK(script.find("unwritten  (order") == std::string::npos);
+}
+
+TEST_CASE("Long labels are never cut off at the edge", "[chart]") {
+  if (!has_gnuplot()) {
+    WARN("gnuplot is not installed");
+    CHECK(!chart_script(sample()).empty());
+    return;
+  }
+  Chart chart = sample();
+  chart.series[0].method = "WWWW, a method whose name is as long as names may get";
+  const TemporaryFolder folder;
+  REQUIRE(write_chart(chart, folder.path / "chart"));
+  int width = 0;
+  int height = 0;
+  int channels = 0;
+  stbi_uc* pixels =
+      stbi_load((folder.path / "chart/chart.png").c_str(), &width, &height, &channels, 3);
+  REQUIRE(pixels != nullptr);
+  int inked_at_edge = 0;
+  int inked_labels = 0;
+  for (int y = 0; y < height; ++y) {
+    for (int x = width / 2; x < width; ++x) {
+      const stbi_uc* pixel = pixels + 3 * (y * width + x);
+      const bool inked = pixel[0] < 200 && pixel[2] > 100;  // blue, as the label is
+      if (inked) ++(x >= width - 8 ? inked_at_edge : inked_labels);
+    }
+  }
+  stbi_image_free(pixels);
+  CHECK(inked_at_edge == 0);
+  CHECK(inked_labels > 500);
+}
+
+TEST_CASE("A folder that cannot be written is one error and leaves nothing", "[chart]") {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path / "file") << "in the way";
+  for (const fs::path& target : {folder.path / "file" / "chart", folder.path / "file"}) {
+    CHECK(message_of([&] { write_chart(sample(), target); })
+              .rfind("cannot write " + target.string() + ": ", 0) == 0);
+  }
+  CHECK(content(folder.path / "file") == "in the way");
+  CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 1);
+}
+
+TEST_CASE("A second chart takes the place of the first", "[chart]") {
+  const TemporaryFolder folder;
+  write_chart(sample(), folder.path / "chart");
+  std::ofstream(folder.path / "chart/stale") << "old";
+  write_chart(sample(), folder.path / "chart");
+  CHECK(fs::exists(folder.path / "chart/chart.csv"));
+  CHECK(!fs::exists(folder.path / "chart/stale"));
+  CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 1);
+}
+
+TEST_CASE("A method that is not written becomes a series without points", "[chart]") {
+  Method written{"written", 1.0, palette::blue, {1.0, 2.0}, nullptr, nullptr, 1.0};
+  volatile double sum = 0.0;
+  written.judge = [](double parameter) { return Judgement{1.0 / parameter, parameter, true}; };
+  written.run = [&](double parameter) { sum = sum + parameter; };
+  Method unwritten = written;
+  unwritten.judge = [](double) -> Judgement { throw common::NotImplemented("9.1 unwritten"); };
+  const std::vector<ChartSeries> series = measured({written, unwritten});
+  REQUIRE(series.size() == 2);
+  REQUIRE(series[0].points.size() == 2);
+  CHECK(series[0].points[1].error == 0.5);
+  CHECK(series[0].points[1].seconds > 0.0);
+  CHECK(series[1].points.empty());
+  CHECK(series[1].missing == "9.1 unwritten");
+}

@@ -34,6 +34,7 @@ function(add_lab name)
   endif()
 
   _add_cases(reference right)
+  _add_seeds(reference)
   _add_stub_cases()
   file(GLOB others CONFIGURE_DEPENDS "${solutions}/*.cpp")
   list(REMOVE_ITEM others "${solutions}/${name}.cpp")
@@ -41,6 +42,7 @@ function(add_lab name)
     cmake_path(GET source STEM answer)
     _add_answer(${answer} "${source}" project_flags)
     _add_cases(${answer} right)
+    _add_seeds(${answer})
   endforeach()
   _add_answer(nan "${solutions}/mistakes/nan.cpp" answer_flags)
   _add_cases(nan nan)
@@ -77,9 +79,7 @@ endfunction()
 function(_add_precompiled flags)
   add_library(precompiled_${flags} OBJECT "${PROJECT_SOURCE_DIR}/common/precompiled.cpp")
   target_link_libraries(precompiled_${flags} PRIVATE common ${flags})
-  target_precompile_headers(precompiled_${flags} PRIVATE
-    "${PROJECT_SOURCE_DIR}/common/types.hpp" "${PROJECT_SOURCE_DIR}/common/not_implemented.hpp"
-    <vector>)
+  target_precompile_headers(precompiled_${flags} PRIVATE "${PROJECT_SOURCE_DIR}/common/precompiled.hpp")
 endfunction()
 
 # Compiles one of the lab's programs against the contract, without an implementation of it.
@@ -143,6 +143,15 @@ function(_add_cases answer label)
     list(APPEND names "${test}")
   endforeach()
   set(${answer}_tests "${names}" PARENT_SCOPE)
+endfunction()
+
+# A right answer passes whatever the seed.
+function(_add_seeds answer)
+  list(LENGTH cases count)
+  set(test "kit/other seeds/${folder} ${answer}")
+  add_test(NAME "${test}" COMMAND Python3::Interpreter -B
+    "${PROJECT_SOURCE_DIR}/tests/support/seeds_test.py" $<TARGET_FILE:${name}_${answer}_test> ${count})
+  set_tests_properties("${test}" PROPERTIES LABELS kit TIMEOUT 300)
 endfunction()
 
 # The untouched stub fails every case, and says which step is not written yet.

@@ -1,0 +1,10 @@
+"""Starts the command: python3 common/command test 1."""
+
+import sys
+
+if sys.version_info < (3, 9):
+    sys.exit("tumble: python3 is older than 3.9")
+
+from tumble.arguments import main  # noqa: E402 (an older Python could not read it)
+
+sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,135 @@
+"""The commands and their arguments. A command's module is imported only when it runs."""
+
+from __future__ import annotations
+
+import argparse
+import importlib
+import os
+import re
+import sys
+from pathlib import Path
+from typing import Callable, NoReturn, Optional, Sequence
+
+from .console import BAD_USAGE, FAILED, Failure
+from .labs import printable
+
+ROOT = Path(__file__).resolve().parents[3]
+
+_INTERRUPTED = 130
+_SIZE = re.compile(r"([0-9]{1,5})x([0-9]{1,5})")
+
+
+class Parser(argparse.ArgumentParser):
+    """argparse, with one line for what is wrong."""
+
+    def error(self, message: str) -> NoReturn:
+        message = re.sub(r"^argument ([A-Z]\S*|--\S+): ", r"\1: ", " ".join(message.split()))
+        raise Failure(f"{message} (see ./{self.prog} --help)", BAD_USAGE)
+
+
+def number_in(low: float, high: float, what: str, above_low: bool = False) -> Callable[[str], str]:
+    """Checks a number and keeps it as typed, so that nothing is lost on the way to the program."""
+
+    def check(text: str) -> str:
+        try:
+            value = float(text)
+        except ValueError:
+            value = float("nan")
+        if not (low < value <= high if above_low else low <= value <= high):
+            raise argparse.ArgumentTypeError(f"{printable(text)} is not {what}")
+        return text
+
+    return check
+
+
+def size(text: str) -> str:
+    match = _SIZE.fullmatch(text)
+    if not match or not all(16 <= int(side) <= 8192 for side in match.groups()):
+        raise argparse.ArgumentTypeError(
+            f"{printable(text)} is not WIDTHxHEIGHT with sides from 16 to 8192, as in 1280x720")
+    return text
+
+
+def make_parser() -> argparse.ArgumentParser:
+    parser = Parser(prog="tumble", allow_abbrev=False, description=(
+        "Tumble: labs on rigid bodies and collisions. Exit codes: 0 ok, 1 failed, 2 bad usage."))
+    commands = parser.add_subparsers(metavar="COMMAND", required=True, parser_class=Parser)
+
+    def command(name: str, module: str, text: str) -> argparse.ArgumentParser:
+        description = text[0].upper() + text[1:] + "."
+        new = commands.add_parser(name, help=text, description=description, allow_abbrev=False)
+        new.set_defaults(module=module, command=name)
+        return new
+
+    def lab_command(name: str, module: str, text: str) -> argparse.ArgumentParser:
+        new = command(name, module, text)
+        new.add_argument("lab", metavar="N", help="number of the lab")
+        return new
+
+    for name, text in (
+            ("demo", "install what is missing, build, draw every reference scene and chart"),
+            ("verify", "install what is missing, then prove the kit and its tests")):
+        command(name, name, text).add_argument(
+            "--no-install", action="store_true", help="leave the packages alone")
+    lab_command("test", "checklist", "test your answer to lab N: a checklist by step").add_argument(
+        "--all", action="store_true", help="explain every failure, not only the first")
+    lab_command("watch", "watch", "run lab N's tests again whenever you save; Ctrl-C ends it")
+    _add_hint(command("hint", "hints", "show a step's next hint: idea, then formula, then line"))
+    _add_frames(lab_command("frames", "pictures", "draw lab N's scene: frames and film strip"))
+    _add_pictures(lab_command("chart", "pictures", "measure lab N's methods: error against time"))
+    command("doctor", "doctor", "say what is installed, what for, and what to do about the rest")
+    command("handout", "later", "pack what students get").add_argument(
+        "file", metavar="FILE.tar.gz")
+    command("grade", "later", "grade a folder of submissions").add_argument("folder", metavar="DIR")
+    return parser
+
+
+def _add_hint(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("step", metavar="N.S", help="lab and step, as in 1.2")
+    which = parser.add_mutually_exclusive_group()
+    which.add_argument("--again", action="store_true", help="show what was shown, nothing new")
+    which.add_argument("--reset", action="store_true", help="forget what was shown")
+
+
+def _add_pictures(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--solution", action="store_true", help="of the reference, not yours")
+    parser.add_argument("--out", metavar="DIR", help="where pictures go (default: Tumble's out/)")
+
+
+def _add_frames(parser: argparse.ArgumentParser) -> None:
+    _add_pictures(parser)
+    moment = number_in(0.0, 1e6, "a time in seconds, zero or more")
+    parser.add_argument("--size", metavar="WxH", type=size, help="of a frame (default 1280x720)")
+    rate = number_in(0.0, 240.0, "a number above 0 and up to 240", above_low=True)
+    parser.add_argument("--fps", metavar="F", type=rate,
+                        help="frames a second, up to 240 (default 25)")
+    parser.add_argument("--from", metavar="S", dest="start", type=moment, help="first moment [s]")
+    parser.add_argument("--to", metavar="S", dest="end", type=moment, help="last moment [s]")
+    parser.add_argument("--quality", choices=("draft", "film", "report"), help="default film")
+    parser.add_argument("--white", action="store_true", help="pure white page, for print")
+
+
+def main(arguments: Sequence[str]) -> int:
+    """Runs the command; whatever goes wrong becomes a line and an exit code, no traceback."""
+    for stream in (sys.stdout, sys.stderr):
+        stream.reconfigure(errors="replace")  # type: ignore[union-attr]
+    code: Optional[int] = FAILED
+    try:
+        options = make_parser().parse_args(arguments)
+        code = importlib.import_module(f"tumble.{options.module}").run(ROOT, options)
+        sys.stdout.flush()
+    except SystemExit as end:  # argparse: --help
+        code = int(end.code or 0)
+    except Failure as failure:
+        sys.stdout.flush()
+        print(failure, file=sys.stderr)
+        code = failure.code
+    except KeyboardInterrupt:
+        print("tumble: stopped", file=sys.stderr)
+        code = _INTERRUPTED
+    except BrokenPipeError:  # the reader, such as head, has seen enough
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    except OSError as error:
+        where = f": {error.filename}" if error.filename else ""
+        print(f"tumble: {error.strerror or error}{where}", file=sys.stderr)
+    return code

@@ -1,0 +1,159 @@
+"""./tumble test N: the student's answer, step by step, then the first failure explained."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Mapping, NamedTuple, Optional, Sequence
+
+from . import build, ctest
+from .console import FAILED, Failure, coloured, labelled, mark, say, shortened
+from .labs import Lab, find_lab
+from .outcome import (CRASHED, EXCEPTION, NOT_RUN, NOT_WRITTEN, PASS, TIMED_OUT, Outcome, assertion,
+                      catch_failure, explanation, outcome)
+
+_PROSE = {"because", "likely", "note", "error"}
+_LABEL_WIDTH = 7
+_TAIL_LINES = 12
+_USUAL_CRASH = "the usual cause is an index out of range"
+
+
+class Checked(NamedTuple):
+    """A test of the student's answer."""
+
+    step: str
+    title: str
+    case: ctest.Case
+    outcome: Outcome
+
+
+def run(root: Path, options: argparse.Namespace) -> int:
+    lab = find_lab(root, options.lab)
+    return test_lab(root, lab, options.all)
+
+
+def test_lab(root: Path, lab: Lab, explain_all: bool = False) -> int:
+    built = build.build(root, "dev", [f"{lab.name}_student_test"])
+    if not built.ok:
+        own_fault = f"{lab.stub.name}:" in built.diagnostics
+        blamed = lab.stub.name if own_fault else f"the test of lab {lab.number}"
+        raise Failure(f"{blamed} does not build, so nothing is tested yet",
+                      details=shortened(built.diagnostics, build.DIAGNOSTICS_LIMIT))
+    if built.diagnostics:
+        say(coloured("The compiler warns:", "yellow"),
+            shortened(built.diagnostics, build.DIAGNOSTICS_LIMIT), "")
+    tests = ctest.run_tests(build.build_folder(root, "dev"), ["-R", f"^{lab.folder}/student/"])
+    checked = [_checked(case) for case in tests.cases]
+    say(*checklist(lab, checked), "")
+    say(*what_next(lab, checked, explain_all))
+    return 0 if all(check.outcome.word == PASS for check in checked) else FAILED
+
+
+def _checked(case: ctest.Case) -> Checked:
+    _, _, step, title = case.name.split("/", 3)
+    return Checked(step, title, case, outcome(case))
+
+
+def checklist(lab: Lab, checked: Sequence[Checked]) -> list[str]:
+    """One line a step: its sign, number, title, passed/all and the word for it."""
+    titles: Mapping[str, str] = {**{check.step: "" for check in checked}, **lab.steps()}
+    longest = max((len(title) for title in titles.values()), default=0)
+    lines = [f"{coloured(lab.heading, 'bold')}    {coloured(lab.where_to_write(''), 'dim')}", ""]
+    for step in sorted(titles, key=_by_number):
+        words = [check.outcome.word for check in checked if check.step == step]
+        if words:
+            lines.append(_step_line(step, f"{titles[step]:<{longest}}", words))
+    return lines
+
+
+def _by_number(step: str) -> list[int]:
+    return [int(part) for part in step.split(".")]
+
+
+def _step_line(step: str, title: str, words: Sequence[str]) -> str:
+    word = _word_for(words)
+    looks = {"done": ("done", "green"), NOT_WRITTEN: ("open", "dim")}
+    kind, colour = looks.get(word, ("wrong", "red"))
+    passed = f"{words.count(PASS)}/{len(words)}"
+    sign = coloured(mark(kind), colour)
+    return f"  {sign} {step}  {title}  {passed:>5}  {coloured(word, colour)}"
+
+
+def _word_for(words: Sequence[str]) -> str:
+    """A step is what its first failure is; "not written yet" only where nothing else fails."""
+    failures = [word for word in words if word != PASS]
+    told = [word for word in failures if word != NOT_WRITTEN]
+    return told[0] if told else failures[0] if failures else "done"
+
+
+def what_next(lab: Lab, checked: Sequence[Checked], explain_all: bool) -> list[str]:
+    open_cases = [check for check in checked if check.outcome.word == NOT_WRITTEN]
+    failures = [check for check in checked if check.outcome.word not in (PASS, NOT_WRITTEN)]
+    failures.sort(key=lambda check: _by_number(check.step))
+    if failures:
+        return _explained(lab, failures, explain_all)
+    if not open_cases:
+        return [coloured("All done.", "green") + f" Look at it: ./tumble frames {lab.number}"
+                f" and ./tumble chart {lab.number}"]
+    first = min(open_cases, key=lambda check: _by_number(check.step))
+    begun = len(open_cases) < len(checked)
+    lines = ["So far, so good." if begun else "Nothing is written yet."]
+    function = first.outcome.detail.split(" ")[-1]
+    place = lab.where_to_write(first.outcome.detail)
+    handout = f"labs/{lab.folder}/{lab.handout.name}"
+    lines += labelled("next", f"write {function} of step {first.step} in {place}", _LABEL_WIDTH)
+    lines += labelled("read", f"step {first.step} of {handout}", _LABEL_WIDTH)
+    return lines + _help_lines(lab, first.step)
+
+
+def _explained(lab: Lab, failures: Sequence[Checked], explain_all: bool) -> list[str]:
+    shown = failures if explain_all else failures[:1]
+    lines = []
+    for number, failure in enumerate(shown):
+        opening = "First failure: " if number == 0 else "Next failure: "
+        lines += [coloured(opening + failure.title, "bold"), *_explain(failure), ""]
+    lines += _help_lines(lab, failures[0].step)
+    rest = len(failures) - len(shown)
+    if rest:
+        text = f"./tumble test {lab.number} --all   explains the other {rest}, too"
+        lines += labelled("more", text, _LABEL_WIDTH)
+    return lines
+
+
+def _explain(failure: Checked) -> list[str]:
+    """The test's own explanation, or else what can be said from outside."""
+    block = explanation(failure.case.output)
+    if not block:
+        block = [("step", failure.step)] + _from_outside(failure)
+    lines = []
+    previous = ""
+    for label, text in block:
+        shown = "" if label == previous else label
+        lines += labelled(shown, text, _LABEL_WIDTH, wrap=label in _PROSE)
+        previous = label
+    return [coloured(line, "yellow") if line.startswith("likely ") else line for line in lines]
+
+
+def _from_outside(failure: Checked) -> list[tuple[str, str]]:
+    word, detail = failure.outcome
+    if word == TIMED_OUT:
+        return [("note", "it did not end in time: look for a loop that cannot end")]
+    if word == CRASHED:
+        broken: Optional[str] = assertion(failure.case.output)
+        why = f"this assert did not hold: {broken}" if broken else _USUAL_CRASH
+        return [("note", f"the program crashed ({detail}); {why}")]
+    if word == EXCEPTION:
+        return [("note", f"an exception came out: {detail}")]
+    if word == NOT_RUN:
+        return [("note", f"the test could not be run: {detail}")]
+    output = failure.case.output
+    words = catch_failure(output) or output.strip().splitlines()[-_TAIL_LINES:]
+    return [("said", line) for line in words]
+
+
+def _help_lines(lab: Lab, step: str) -> list[str]:
+    again = f"./tumble test {lab.number}   or on every save: ./tumble watch {lab.number}"
+    lines = labelled("again", again, _LABEL_WIDTH)
+    if (lab.path / "hints.md").exists():
+        lines += labelled("stuck?", f"./tumble hint {step}", _LABEL_WIDTH)
+    return lines

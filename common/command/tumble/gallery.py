@@ -1,0 +1,141 @@
+"""What there is in out/: out/<N>_<name>/<student|reference>/{film,chart}, read with distrust."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+from pathlib import Path
+from typing import Any, NamedTuple, Optional, Sequence
+
+from .labs import Lab
+
+STUDENT = "student"
+REFERENCE = "reference"
+FILM = "film"
+CHART = "chart"
+
+_COMMANDS = {FILM: "frames", CHART: "chart"}
+
+
+class Film(NamedTuple):
+    variant: str
+    command: str
+    title: str
+    subtitle: str
+    parameters: str
+    measured: str
+    missing: Sequence[str]
+    fps: float
+    start: float
+    frames: Sequence[Path]
+    strip: Optional[Path]
+
+
+class Chart(NamedTuple):
+    variant: str
+    command: str
+    image: Optional[Path]
+    files: Sequence[Path]
+    methods: Sequence[str]
+    missing: Sequence[str]
+
+
+class LabPictures(NamedTuple):
+    lab: Lab
+    films: Sequence[Film]
+    charts: Sequence[Chart]
+
+
+def read_gallery(labs: Sequence[Lab], out: Path) -> list[LabPictures]:
+    """The student's pictures come before the reference's."""
+    gallery = []
+    for lab in labs:
+        films = [_read_film(lab, variant, out) for variant in (STUDENT, REFERENCE)]
+        charts = [_read_chart(lab, variant, out) for variant in (STUDENT, REFERENCE)]
+        gallery.append(LabPictures(lab, [film for film in films if film],
+                                   [chart for chart in charts if chart]))
+    return gallery
+
+
+def command_file(folder: Path) -> Path:
+    """Beside the folder of the pictures, in which their program wants its own files alone."""
+    return folder.with_name(f"{folder.name}-command.txt")
+
+
+def default_command(lab: Lab, variant: str, kind: str) -> str:
+    solution = " --solution" if variant == REFERENCE else ""
+    return f"./tumble {_COMMANDS[kind]} {lab.number}{solution}"
+
+
+def _read_film(lab: Lab, variant: str, out: Path) -> Optional[Film]:
+    folder = out / lab.folder / variant / FILM
+    frames = sorted(folder.glob("frame_*.png"), key=lambda path: (len(path.name), path.name))
+    if not frames:
+        return None
+    told = _read_json(folder / "film.json")
+    return Film(variant, _command(lab, variant, FILM, folder), _words(told, "title"),
+                _words(told, "subtitle"), _words(told, "parameters"), _words(told, "measured"),
+                _names(told.get("missing")), _number(told.get("fps"), 25.0) or 25.0,
+                _number(told.get("from"), 0.0), frames, _existing(folder / "strip.png"))
+
+
+def _read_chart(lab: Lab, variant: str, out: Path) -> Optional[Chart]:
+    folder = out / lab.folder / variant / CHART
+    names = ("chart.svg", "chart.png", "chart.csv", "chart.gp")
+    files = [folder / name for name in names if (folder / name).is_file()]
+    if not files:
+        return None
+    drawn = [path for path in files if path.suffix in (".svg", ".png")]
+    methods = _read_methods(folder / "chart.csv")
+    return Chart(variant, _command(lab, variant, CHART, folder), drawn[0] if drawn else None, files,
+                 [name for name, written in methods.items() if written],
+                 [name for name, written in methods.items() if not written])
+
+
+def _read_methods(path: Path) -> dict[str, bool]:
+    """The methods of the chart, and whether they are written yet."""
+    methods: dict[str, bool] = {}
+    try:
+        with open(path, encoding="utf-8", errors="replace", newline="") as rows:
+            for row in csv.DictReader(rows):
+                name = row.get("method") or ""
+                if name:
+                    written = row.get("status") != "not_implemented"
+                    methods[name] = methods.get(name, False) or written
+    except (OSError, csv.Error):
+        pass
+    return methods
+
+
+def _command(lab: Lab, variant: str, kind: str, folder: Path) -> str:
+    try:
+        return command_file(folder).read_text(encoding="utf-8", errors="replace").strip()
+    except OSError:
+        return default_command(lab, variant, kind)
+
+
+def _existing(path: Path) -> Optional[Path]:
+    return path if path.is_file() else None
+
+
+def _read_json(path: Path) -> dict[str, Any]:
+    try:
+        content = json.loads(path.read_text(encoding="utf-8", errors="replace"))
+    except (OSError, ValueError):
+        return {}
+    return content if isinstance(content, dict) else {}
+
+
+def _words(content: dict[str, Any], key: str) -> str:
+    value = content.get(key)
+    return value.strip() if isinstance(value, str) else ""
+
+
+def _names(value: Any) -> list[str]:
+    return [name for name in value if isinstance(name, str)] if isinstance(value, list) else []
+
+
+def _number(value: Any, otherwise: float) -> float:
+    good = isinstance(value, (int, float)) and math.isfinite(value) and value >= 0
+    return float(value) if good else otherwise

@@ -1,0 +1,78 @@
+"""./tumble frames N and ./tumble chart N: runs the lab's programs, then renews the page."""
+
+from __future__ import annotations
+
+import argparse
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+from typing import Sequence
+
+from . import build, page
+from .console import BAD_USAGE, FAILED, Failure, say
+from .gallery import CHART, FILM, REFERENCE, STUDENT, command_file
+from .labs import Lab, find_lab, require_solutions
+
+PROGRAMS = {"frames": "scene", "chart": "chart"}
+FOLDERS = {"frames": FILM, "chart": CHART}
+
+
+class Picture:
+    """What is to be drawn: the program that draws it and the folder that it goes to."""
+
+    def __init__(self, lab: Lab, command: str, variant: str, out: Path):
+        self.lab = lab
+        self.command = command
+        self.target = f"{lab.name}_{variant}_{PROGRAMS[command]}"
+        self.folder = out / lab.folder / variant / FOLDERS[command]
+        self.typed = ["./tumble", command, str(lab.number)]
+        if variant == REFERENCE:
+            self.typed.append("--solution")
+
+    def draw(self, root: Path, arguments: Sequence[str], out: Sequence[str] = ()) -> bool:
+        """Runs the program, which says itself what is wrong; the command goes beside its work."""
+        program = build.build_folder(root, "release") / "labs" / self.lab.folder / self.target
+        done = subprocess.run([program, "--out", self.folder, *arguments])
+        if done.returncode < 0:
+            print(f"tumble: {self.target} crashed (signal {-done.returncode})", file=sys.stderr)
+        if done.returncode == 0:
+            command = shlex.join([*self.typed, *arguments, *out])
+            command_file(self.folder).write_text(command + "\n", encoding="utf-8")
+        return done.returncode == 0
+
+
+def run(root: Path, options: argparse.Namespace) -> int:
+    lab = find_lab(root, options.lab)
+    arguments = _film_arguments(options) if options.command == "frames" else []
+    if options.solution:
+        require_solutions(root, "--solution")
+    out = Path(options.out).absolute() if options.out else root / "out"
+    picture = Picture(lab, options.command, REFERENCE if options.solution else STUDENT, out)
+    prepare(out)
+    build.require(root, "release", [picture.target])
+    if not picture.draw(root, arguments, ["--out", options.out] if options.out else []):
+        return FAILED
+    say(f"Look at {page.write(root, out)}, or at the files in {picture.folder}")
+    return 0
+
+
+def prepare(folder: Path) -> None:
+    """Before the long work: can it be written to? Root may write anywhere, so it is tried."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        trial = folder / ".tumble-trial"
+        trial.touch()
+        trial.unlink()
+    except OSError as error:
+        raise Failure(f"cannot write to {folder}: {error.strerror}") from error
+
+
+def _film_arguments(options: argparse.Namespace) -> list[str]:
+    if options.start and options.end and float(options.start) > float(options.end):
+        raise Failure(f"--from {options.start} is later than --to {options.end}", BAD_USAGE)
+    values = (("--size", options.size), ("--fps", options.fps), ("--from", options.start),
+              ("--to", options.end), ("--quality", options.quality))
+    arguments = [part for name, value in values if value is not None for part in (name, value)]
+    return arguments + (["--white"] if options.white else [])
+

@@ -1,0 +1,112 @@
+"""Every bad argument gets one clear line and exit code 2, before anything is built."""
+
+import os
+import unittest
+from pathlib import Path
+
+from fake_kit import ROOT, KitTestCase
+
+HERE = Path(__file__).resolve().parent
+COMMANDS = ("demo", "verify", "test", "watch", "hint", "frames", "chart", "doctor", "handout",
+            "grade")
+
+BAD = (
+    [], ["nonsense"], ["--nonsense"], ["tes", "1"], ["\n"],
+    ["test"], ["test", "9"], ["test", "x"], ["test", ""], ["test", "-1"], ["test", "01"],
+    ["test", "1.2"], ["test", "1", "2"], ["test", "1", "--al"], ["test", "9" * 5000],
+    ["test", "a\nb"], ["test", "\udcff"],
+    ["watch"], ["watch", "7"],
+    ["frames"], ["frames", "x"], ["chart", "x"], ["chart", "1", "--size", "640x480"],
+    ["frames", "1", "--fps", "-1"], ["frames", "1", "--fps", "0"], ["frames", "1", "--fps", "nan"],
+    ["frames", "1", "--fps", "inf"], ["frames", "1", "--fps", "241"], ["frames", "1", "--fps", "x"],
+    ["frames", "1", "--fps"], ["frames", "1", "--size", "640"], ["frames", "1", "--size", "0x0"],
+    ["frames", "1", "--size", "640x"], ["frames", "1", "--size", "-640x480"],
+    ["frames", "1", "--size", "99999x99999"], ["frames", "1", "--size", "640x480x3"],
+    ["frames", "1", "--from", "-1"], ["frames", "1", "--to", "x"],
+    ["frames", "1", "--from", "2", "--to", "1"], ["frames", "1", "--quality", "best"],
+    ["hint"], ["hint", "1"], ["hint", "x"], ["hint", "1.2.3"], ["hint", "9.1"], ["hint", "1.99"],
+    ["hint", "1.1", "--again", "--reset"],
+    ["demo", "1"], ["verify", "all"], ["doctor", "1"],
+    ["handout"], ["handout", "x.tar.gz"], ["grade"], ["grade", "/tmp"],
+)
+
+
+class Arguments(KitTestCase):
+    def test_a_bad_argument_gets_one_line_and_code_2(self) -> None:
+        for arguments in BAD:
+            with self.subTest(arguments=[argument[:40] for argument in arguments]):
+                self.assert_one_line(self.kit.tumble(*arguments), 2)
+        self.assertEqual(self.kit.calls("cmake"), [])
+
+    def test_a_bad_lab_number_lists_the_labs(self) -> None:
+        self.assertIn("1 (spin & <turn>)", self.kit.tumble("test", "9").stderr)
+
+    def test_an_unknown_command_lists_the_commands(self) -> None:
+        line = self.kit.tumble("nonsense").stderr
+        for command in COMMANDS:
+            self.assertIn(command, line)
+
+    def test_every_command_explains_itself(self) -> None:
+        overview = self.kit.tumble("--help")
+        self.assertEqual(overview.returncode, 0)
+        for command in COMMANDS:
+            done = self.kit.tumble(command, "--help")
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertIn(f"usage: tumble {command}", done.stdout)
+            self.assertIn(f"    {command} ", overview.stdout)
+
+    def test_commands_of_later_versions_say_so(self) -> None:
+        done = self.kit.tumble("grade", "folder")
+        self.assertEqual(done.stderr, "tumble: 'grade' is not part of this version yet\n")
+
+
+class Launcher(KitTestCase):
+    def test_it_works_from_another_folder_and_through_symlinks(self) -> None:
+        away = self.kit.root / "away"
+        away.mkdir()
+        os.symlink("../tumble", away / "near")
+        os.symlink(away / "near", away / "far")
+        for program in (self.kit.root / "tumble", away / "near", away / "far"):
+            done = self.kit.tumble("test", "9", program=program, cwd=away)
+            self.assertIn("1 (spin", done.stderr)
+
+    def test_files_in_the_users_folder_cannot_get_in_between(self) -> None:
+        for name in ("argparse.py", "json.py", "tumble.py"):
+            self.kit.write(f"away/{name}", "raise SystemExit('shadowed')\n")
+        done = self.kit.tumble("--help", cwd=self.kit.root / "away",
+                               settings={"PYTHONPATH": str(self.kit.root / "away")})
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_it_leaves_no_compiled_python_behind(self) -> None:
+        self.kit.tumble("--help")
+        self.assertEqual(list(self.kit.root.rglob("__pycache__")), [])
+
+    def test_without_python_one_line_says_so_and_nothing_is_installed(self) -> None:
+        (self.kit.tools / "python3").unlink()
+        for arguments in (["test", "1"], ["demo", "--no-install"], []):
+            self.assert_one_line(self.kit.tumble(*arguments), 1)
+        self.assertEqual(self.kit.calls("apt-get"), [])
+
+    def test_without_python_demo_tries_to_install_it(self) -> None:
+        (self.kit.tools / "python3").unlink()
+        done = self.kit.tumble("demo")
+        self.assertEqual(done.returncode, 1)
+        if os.geteuid() == 0:
+            self.assertEqual(self.kit.calls("apt-get"), ["update"])
+
+    def test_a_reader_that_has_seen_enough_is_no_error(self) -> None:
+        self.kit.add_tool("head_of_help", '"$1" --help 2>"$FAKE/stderr" | read -r line\n')
+        self.kit.tumble(str(self.kit.root / "tumble"), program=self.kit.tools / "head_of_help")
+        self.assertEqual((self.kit.fake / "stderr").read_text(encoding="utf-8"), "")
+
+
+class Sources(unittest.TestCase):
+    def test_no_file_is_longer_or_wider_than_agreed(self) -> None:
+        for path in [*(ROOT / "common" / "command").rglob("*.py"), *HERE.glob("*.py")]:
+            lines = path.read_text(encoding="utf-8").splitlines()
+            self.assertLessEqual(len(lines), 200, path)
+            self.assertLessEqual(max(map(len, lines), default=0), 100, path)
+
+
+if __name__ == "__main__":
+    unittest.main()

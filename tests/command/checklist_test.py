@@ -1,0 +1,167 @@
+"""./tumble test: the checklist from what CTest 3.25 really writes, the first failure explained."""
+
+import unittest
+from pathlib import Path
+
+from fake_kit import LAB, KitTestCase
+from tumble import ctest
+from tumble.outcome import outcome
+
+HERE = Path(__file__).resolve().parent
+JUNIT = HERE / "student_junit.xml"
+CONSOLE = HERE / "student_console.txt"
+
+
+def cases() -> list:
+    lines = CONSOLE.read_text(encoding="utf-8").splitlines()
+    return ctest.read_junit(JUNIT.read_bytes(), ctest.reasons(lines))
+
+
+def junit(*outputs: str) -> str:
+    """A record in which test i of step 1.i failed with that output, or passed where it is empty."""
+    tests = ""
+    for step, output in enumerate(outputs, 1):
+        status = "fail" if output else "run"
+        tests += (f'<testcase name="{LAB}/student/1.{step}/Case {step}" status="{status}">'
+                  f"<system-out>{output}</system-out></testcase>")
+    return f"<testsuite>{tests}</testsuite>"
+
+
+class Outcomes(unittest.TestCase):
+    def test_every_kind_of_end_has_its_word(self) -> None:
+        self.assertEqual([outcome(case).word for case in cases()], [
+            "pass", "pass", "pass", "wrong", "wrong", "not written yet", "crashed", "crashed",
+            "timed out", "exception"])
+
+    def test_the_detail_says_which_function_signal_or_message(self) -> None:
+        details = [outcome(case).detail for case in cases()]
+        self.assertEqual(details[5], "1.3 net_wrench")
+        self.assertEqual(details[6], "SIGSEGV")
+        self.assertTrue(details[9].startswith("vector::_M_range_check"))
+
+    def test_a_reason_may_be_followed_by_labels(self) -> None:
+        line = "\t  7 - a/b/1.1/f (x) is g (SEGFAULT)               student slow"
+        self.assertEqual(ctest.reasons([line]), {"a/b/1.1/f (x) is g": "SEGFAULT"})
+
+    def test_a_crash_without_a_word_is_still_a_crash(self) -> None:
+        case = ctest.Case("a/student/1.1/b", "fail", "ILLEGAL", "")
+        self.assertEqual(outcome(case), ("crashed", "ILLEGAL"))
+
+    def test_a_wrong_value_beside_an_unwritten_function_is_wrong(self) -> None:
+        case = ctest.Case("a/student/1.1/b", "fail", "Failed",
+                          "| step 1.1 skew\n| got 1\n  1.2 world_point is not written yet\n")
+        self.assertEqual(outcome(case).word, "wrong")
+
+
+class Checklist(KitTestCase):
+    def setUp(self) -> None:
+        super().setUp()
+        self.record(JUNIT.read_text(encoding="utf-8"), CONSOLE.read_text(encoding="utf-8"))
+
+    def record(self, text: str, console: str = "", failed: bool = True) -> None:
+        self.kit.write("fake/junit.xml", text)
+        self.kit.write("fake/console.txt", console)
+        if failed:
+            self.kit.write("fake/ctest_fails", "")
+
+    def test_each_step_has_its_line_and_word(self) -> None:
+        done = self.kit.tumble("test", "1")
+        self.assertEqual((done.returncode, done.stderr), (1, ""))
+        self.assertIn("Lab 1: spin & <turn>", done.stdout)
+        for line in ("✓ 1.1  The cross product as a matrix    2/2  done",
+                     "✗ 1.2  Points of the body               1/3  wrong",
+                     "· 1.3  Forces                           0/1  not written yet",
+                     "✗ 1.4  Matrices                         0/2  crashed",
+                     "✗ 1.5  Quaternions                      0/1  timed out",
+                     "✗ 1.6  The exponential map              0/1  exception"):
+            self.assertIn(line, done.stdout)
+
+    def test_the_first_failure_is_explained_and_no_other(self) -> None:
+        text = self.kit.tumble("test", "1").stdout
+        self.assertIn("First failure: A point turns about the centre of mass\n"
+                      "step     1.2 point_velocity\n"
+                      "case     3 of 100\n"
+                      "input    state.position = Vec3(1, 2, 3);\n"
+                      "         point = Vec3(0, 0, 1);\n"
+                      "got      (1, 0, 0)\n", text)
+        self.assertIn("likely   the cross product is the wrong way round", text)
+        self.assertNotIn("case     4 of 100", text)
+        self.assertNotIn("A far point", text)
+        self.assertIn("./tumble test 1 --all", text)
+
+    def test_all_explains_every_failure_from_what_is_known_of_it(self) -> None:
+        text = " ".join(self.kit.tumble("test", "1", "--all").stdout.split())
+        for words in ("FAILED: CHECK( error < 1e-12 ) with expansion: 0.25 < 0.0",
+                      "crashed (SIGSEGV); the usual cause",
+                      "this assert did not hold: determinant > 0.0",
+                      "did not end in time", "an exception came out: vector::_M_range_check"):
+            self.assertIn(words, text)
+
+    def test_without_utf8_the_signs_are_plain(self) -> None:
+        text = self.kit.tumble("test", "1", settings={"LANG": "C"}).stdout
+        self.assertIn("+ 1.1", text)
+        self.assertIn("x 1.2", text)
+        self.assertTrue(text.isascii())
+
+    def test_a_hint_is_offered_only_where_there_are_hints(self) -> None:
+        self.assertNotIn("./tumble hint", self.kit.tumble("test", "1").stdout)
+        self.kit.write(f"labs/{LAB}/hints.md", "")
+        self.assertIn("./tumble hint 1.2", self.kit.tumble("test", "1").stdout)
+
+    def test_an_untouched_stub_is_told_where_to_begin(self) -> None:
+        self.record(junit("  1.1 skew is not written yet", "  1.2 world_point is not written yet"))
+        done = self.kit.tumble("test", "1")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("Nothing is written yet", done.stdout)
+        self.assertIn("write skew of step 1.1", done.stdout)
+        self.assertNotIn("failure", done.stdout)
+
+    def test_what_is_written_and_right_leads_to_the_next_step_and_line(self) -> None:
+        self.record(junit("", "", "  1.3 net_wrench is not written yet"))
+        self.assertIn(f"write net_wrench of step 1.3 in labs/{LAB}/spin.cpp:2",
+                      self.kit.tumble("test", "1").stdout)
+
+    def test_when_all_is_right_the_exit_code_is_0(self) -> None:
+        (self.kit.fake / "ctest_fails").unlink()
+        self.record(junit("", ""), failed=False)
+        done = self.kit.tumble("test", "1")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("All done.", done.stdout)
+
+    def test_a_compile_error_is_shown_without_the_build_tools_noise(self) -> None:
+        self.kit.write("fake/build_error", (
+            "[1/3] Building CXX object spin.cpp.o\n"
+            "FAILED: spin.cpp.o \n/usr/bin/c++ -DX -o spin.cpp.o\n"
+            f"{self.kit.root}/labs/{LAB}/spin.cpp:7:3: error: expected ';'\n"
+            + "note: long\n" * 1000 + "ninja: build stopped: subcommand failed.\n"))
+        done = self.kit.tumble("test", "1")
+        self.assertEqual(done.returncode, 1)
+        self.assertTrue(done.stderr.startswith("tumble: spin.cpp does not build"))
+        self.assertIn(f"\nlabs/{LAB}/spin.cpp:7:3: error: expected ';'", done.stderr)
+        self.assertLess(len(done.stderr), 4500)
+        for noise in ("FAILED", "/usr/bin/c++", "ninja:", "[1/3]"):
+            self.assertNotIn(noise, done.stderr)
+
+    def test_a_record_that_is_missing_or_broken_is_reported(self) -> None:
+        self.record("<testsuite><testcase")
+        self.assert_one_line(self.kit.tumble("test", "1"), 1)
+        (self.kit.fake / "junit.xml").unlink()
+        self.assertIn("CTest ran no tests", self.kit.tumble("test", "1").stderr)
+
+    def test_cmake_is_run_once_and_again_when_the_kit_was_moved(self) -> None:
+        self.kit.tumble("test", "1")
+        self.kit.tumble("test", "1")
+        self.assertEqual(sum("--preset" in call for call in self.kit.calls("cmake")), 1)
+        self.kit.write("build/dev/CMakeCache.txt", "CMAKE_HOME_DIRECTORY:INTERNAL=/elsewhere\n")
+        self.kit.tumble("test", "1")
+        self.assertEqual(sum("--preset" in call for call in self.kit.calls("cmake")), 2)
+
+    def test_without_cmake_one_line_says_what_to_install(self) -> None:
+        (self.kit.tools / "cmake").unlink()
+        done = self.kit.tumble("test", "1")
+        self.assert_one_line(done, 1)
+        self.assertIn("install cmake", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,84 @@
+"""./tumble frames, chart and demo: the programs run as they should and the page is renewed."""
+
+import unittest
+
+from fake_kit import LAB, KitTestCase
+
+PROGRAM = """
+echo "$*" >> "$FAKE/calls/program"
+mkdir -p "$2"
+for file in "$2"/*; do
+  case "$file" in */frame_0000.png | */chart.csv | */"*") ;; *) exit 1 ;; esac
+done
+touch "$2/frame_0000.png" "$2/chart.csv"
+"""
+
+
+class Pictures(KitTestCase):
+    def setUp(self) -> None:
+        super().setUp()
+        for variant in ("student", "reference"):
+            for kind in ("scene", "chart"):
+                self.add_program(f"spin_{variant}_{kind}", PROGRAM)
+
+    def add_program(self, name: str, body: str) -> None:
+        self.kit.add_program(self.kit.root / "build" / "release" / "labs" / LAB / name, body)
+
+    def test_frames_passes_its_options_on_and_renews_the_page(self) -> None:
+        done = self.kit.tumble("frames", "1", "--solution", "--size", "640x480", "--fps", "12.5",
+                               "--from", "0.5", "--to", "2", "--quality", "draft", "--white")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        folder = self.kit.root / "out" / LAB / "reference" / "film"
+        self.assertEqual(self.kit.calls("program"), [
+            f"--out {folder} --size 640x480 --fps 12.5 --from 0.5 --to 2 --quality draft --white"])
+        page = (self.kit.root / "out" / "index.html").read_text(encoding="utf-8")
+        self.assertIn("./tumble frames 1 --solution --size 640x480 --fps 12.5", page)
+        self.assertIn("--target spin_reference_scene", self.kit.calls("cmake")[-1])
+
+    def test_all_of_it_works_twice_in_a_row(self) -> None:
+        for command in ("frames", "chart") * 2:
+            self.assertEqual(self.kit.tumble(command, "1").returncode, 0)
+
+    def test_out_is_seen_from_the_users_folder(self) -> None:
+        away = self.kit.root / "away"
+        away.mkdir()
+        done = self.kit.tumble("chart", "1", "--out", "my pictures", cwd=away)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue((away / "my pictures" / LAB / "student" / "chart" / "chart.csv").exists())
+        page = (away / "my pictures" / "index.html").read_text(encoding="utf-8")
+        self.assertIn("./tumble chart 1 --out &#x27;my pictures&#x27;", page)
+
+    def test_the_programs_own_error_line_and_failure_come_through(self) -> None:
+        self.add_program("spin_student_scene", 'echo "error: no GL" >&2\nexit 1\n')
+        done = self.kit.tumble("frames", "1")
+        self.assertEqual((done.returncode, done.stderr), (1, "error: no GL\n"))
+
+    def test_a_crash_is_said(self) -> None:
+        self.add_program("spin_student_scene", "kill -SEGV $$\n")
+        self.assert_one_line(self.kit.tumble("frames", "1"), 1)
+
+    def test_an_out_folder_that_cannot_be_written_is_found_before_the_build(self) -> None:
+        self.kit.write("file", "")
+        for out in ("file", "file/inside", "/proc/nowhere"):
+            self.assert_one_line(self.kit.tumble("frames", "1", "--out", out), 1)
+        self.assertEqual(self.kit.calls("cmake"), [])
+
+    def test_a_scene_that_this_machine_cannot_build_is_said(self) -> None:
+        self.kit.write("fake/build_error", "ninja: error: unknown target 'spin_student_scene'\n")
+        done = self.kit.tumble("frames", "1")
+        self.assert_one_line(done, 1)
+        self.assertIn("./tumble doctor", done.stderr)
+
+    def test_demo_draws_what_can_be_built_and_says_what_cannot(self) -> None:
+        self.kit.write("fake/targets", "spin_reference_scene: phony\nspin_reference_chart: phony\n")
+        done = self.kit.tumble("demo")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(len(self.kit.calls("program")), 2)
+        self.kit.write("fake/targets", "spin_reference_chart: phony\n")
+        done = self.kit.tumble("demo")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("Not drawn: spin_reference_scene", done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()

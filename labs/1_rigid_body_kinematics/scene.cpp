@@ -62,29 +62,29 @@ void add_box(render::Scene& scene, const Track& track, double time) {
   const render::Placement placement{track.center, track.world_from_body[now]};
   scene.boxes.push_back({placement, half_extents, track.paint});
 
-  render::Trail trail{{}, palette::ink, 3.0};
+  render::Trail trail{{}, palette::purple, 3.5};
   for (std::size_t i = 0; i <= now; ++i) {
     trail.points.push_back(track.center + track.world_from_body[i] * half_extents);
   }
-  scene.spheres.push_back({{trail.points.back(), Mat3::Identity()}, 0.055, {palette::vermilion}});
+  scene.spheres.push_back({{trail.points.back(), Mat3::Identity()}, 0.07, {palette::purple}});
   scene.trails.push_back(trail);
 
   const Vec3 omega = angular_velocity(motion(), time);
   const Vec3 tip = track.center + 0.32 * omega;
   scene.arrows.push_back({track.center, tip, palette::green, 0.035});
-  scene.labels.push_back({tip + Vec3(0.08, 0.0, 0.08), "ω", palette::green, 22.0});
-  scene.labels.push_back({Vec3(track.center.x() - 0.75, 0.0, 0.02), track.name});
+  scene.labels.push_back({tip, "ω", palette::green, 24.0});
+  scene.labels.push_back({Vec3(track.center.x() - 0.6, -1.1, 0.0), track.name, palette::ink, 24.0});
 }
 
 /// The foot of the strip: how far off each box is at the end.
 std::string measured(const std::vector<Track>& tracks) {
-  std::string text;
+  std::string text = "after 4 s";
   for (const Track& track : tracks) {
     const Mat3& R = track.world_from_body.back();
     const Mat3 exact = attitude(motion(), duration).toRotationMatrix();
     char line[128];
-    std::snprintf(line, sizeof line, "%s%s: %.1e rad off, |RᵀR − 1| = %.0e",
-                  text.empty() ? "" : "   ", track.name.c_str(), common::chordal_distance(R, exact),
+    std::snprintf(line, sizeof line, ";  %s: %.2g rad off, |RᵀR − 1| = %.1g", track.name.c_str(),
+                  common::chordal_distance(R, exact),
                   (R.transpose() * R - Mat3::Identity()).norm());
     text += line;
   }
@@ -98,7 +98,7 @@ render::Film make_film() {
   film.parameters = "ω(0) = (3, 0, 2) rad/s, coning about z at half a turn a second, dt = 0.04 s";
   film.duration = duration;
   film.strip_times = {0.0, 0.8, 1.6, 2.4, 3.2, 4.0};
-  film.bounds = {{-2.0, -1.2, 0.0}, {2.6, 1.2, 2.9}};
+  film.bounds = {{-2.1, -0.9, 0.0}, {2.5, 0.6, 2.35}};
   film.towards_eye = {0.25, -2.2, 0.75};
 
   std::vector<Track> tracks;
@@ -106,10 +106,10 @@ render::Film make_film() {
     if (track) tracks.push_back(*track);
   };
   keep(tracked<Quat>(
-      {"exponential map", {-1.2, 0.0, 1.45}, {palette::sky, palette::blue}, {}}, Quat::Identity(),
+      {"exponential map", {-1.15, 0.0, 1.2}, {palette::sky, palette::blue}, {}}, Quat::Identity(),
       0.5, [](const Quat& q, const Vec3& w) { return step_exponential(q, w, dt); }, film.missing));
   keep(tracked<Mat3>(
-      {"Euler on R", {1.3, 0.0, 1.45}, {palette::orange, palette::vermilion}, {}}, Mat3::Identity(),
+      {"Euler on R", {1.25, 0.0, 1.2}, {palette::orange, palette::vermilion}, {}}, Mat3::Identity(),
       0.0, [](const Mat3& R, const Vec3& w) { return step_matrix_euler(R, w, dt); }, film.missing));
   film.measured = measured(tracks);
   film.scene_at = [tracks](double time) {

@@ -13,7 +13,7 @@ class NotImplemented : public std::logic_error {
       : std::logic_error(step_and_function + " is not written yet"), what_(step_and_function) {}
 
   /// The step and the function alone, as in "1.2 point_velocity".
-  const std::string& step_and_function() const { return what_; }
+  [[nodiscard]] const std::string& step_and_function() const { return what_; }
 
  private:
   std::string what_;

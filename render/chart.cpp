@@ -2,18 +2,18 @@
 
 #include <spawn.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <charconv>
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <stdexcept>
 
 #include "render/atomic_file.hpp"
 #include "render/staged_folder.hpp"
-
-extern char** environ;
 
 namespace render {
 namespace fs = std::filesystem;
@@ -34,7 +34,7 @@ const char* text(Status status) {
 /// The shortest decimal that reads back as the same double, whatever the locale.
 std::string text(double value) {
   std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  auto* const end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
   return {digits.data(), end};
 }
 
@@ -96,14 +96,15 @@ std::string chart_csv(const Chart& chart) {
 }
 
 bool write_chart(const Chart& chart, const fs::path& folder) {
-  StagedFolder staged(folder);
-  write_file_atomically(staged.path() / "chart.csv", chart_csv(chart));
-  write_file_atomically(staged.path() / "chart.gp", chart_script(chart));
-  const std::optional<int> code = run_gnuplot(staged.path());
-  const std::string said = content(staged.path() / "gnuplot.log");
-  fs::remove(staged.path() / "gnuplot.log");
-  if (code && (*code != 0 || !is_drawn(staged.path() / "chart.svg") ||
-               !is_drawn(staged.path() / "chart.png"))) {
+  const std::set<std::string> own{"chart.csv", "chart.gp", "chart.svg", "chart.png"};
+  StagedFolder staged(folder, [&](const std::string& name) { return own.count(name) == 1; });
+  write_file_atomically(staged.file("chart.csv"), chart_csv(chart));
+  write_file_atomically(staged.file("chart.gp"), chart_script(chart));
+  const std::optional<int> code = run_gnuplot(staged.staged());
+  const std::string said = content(staged.file("gnuplot.log"));
+  fs::remove(staged.file("gnuplot.log"));
+  if (code &&
+      (*code != 0 || !is_drawn(staged.file("chart.svg")) || !is_drawn(staged.file("chart.png")))) {
     throw std::runtime_error("gnuplot could not draw " + folder.string() + "/chart.gp: " + said);
   }
   staged.publish();

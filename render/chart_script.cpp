@@ -58,7 +58,7 @@ struct Range {
     high = std::max(high, value);
   }
   /// Widened to whole decades.
-  Range decades() const {
+  [[nodiscard]] Range decades() const {
     return {std::pow(10.0, std::floor(std::log10(low))),
             std::pow(10.0, std::ceil(std::log10(high)))};
   }

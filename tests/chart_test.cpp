@@ -72,8 +72,8 @@ bool has_gnuplot() { return std::system("command -v gnuplot > /dev/null") == 0; 
 TEST_CASE("The CSV has a row a point and one for what is not written", "[chart]") {
   const std::string csv = chart_csv(sample());
   CHECK(std::count(csv.begin(), csv.end(), '\n') == 1 + 8 + 8 + 1);
-  CHECK(csv.rfind("lab,method,parameter,error,error_unit,seconds,work_unit,evaluations,status\n", 0) ==
-        0);
+  CHECK(csv.rfind("lab,method,parameter,error,error_unit,seconds,work_unit,evaluations,status\n",
+                  0) == 0);
   CHECK(csv.find("9_example,bad,1,1e+300,rad,3e-06,turn,10,unstable\n") != std::string::npos);
   CHECK(csv.find("9_example,unwritten,,,rad,,turn,,not_implemented\n") != std::string::npos);
   CHECK(csv.find("9_example,\"good, \"\"as\"\" it should be\",1,0.1,rad,") != std::string::npos);
@@ -119,8 +119,9 @@ TEST_CASE("A folder that cannot be written is one error and leaves nothing", "[c
   const TemporaryFolder folder;
   std::ofstream(folder.path / "file") << "in the way";
   for (const fs::path& target : {folder.path / "file" / "chart", folder.path / "file"}) {
-    CHECK(message_of([&] { write_chart(sample(), target); })
-              .rfind("cannot write " + target.string() + ": ", 0) == 0);
+    CHECK(message_of([&] {
+            write_chart(sample(), target);
+          }).rfind("cannot write " + target.string() + ": ", 0) == 0);
   }
   CHECK(content(folder.path / "file") == "in the way");
   CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 1);
@@ -129,10 +130,18 @@ TEST_CASE("A folder that cannot be written is one error and leaves nothing", "[c
 TEST_CASE("A second chart takes the place of the first", "[chart]") {
   const TemporaryFolder folder;
   write_chart(sample(), folder.path / "chart");
-  std::ofstream(folder.path / "chart/stale") << "old";
+  std::ofstream(folder.path / "chart/chart.csv") << "old";
   write_chart(sample(), folder.path / "chart");
-  CHECK(fs::exists(folder.path / "chart/chart.csv"));
-  CHECK(!fs::exists(folder.path / "chart/stale"));
+  CHECK(content(folder.path / "chart/chart.csv") == chart_csv(sample()));
+  CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 1);
+}
+
+TEST_CASE("A folder that holds something else is left alone", "[chart]") {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path / "thesis.tex") << "months of work";
+  CHECK(message_of([&] { write_chart(sample(), folder.path); }).find("thesis.tex") !=
+        std::string::npos);
+  CHECK(content(folder.path / "thesis.tex") == "months of work");
   CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 1);
 }
 

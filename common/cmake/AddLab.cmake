@@ -7,7 +7,7 @@
 # and, where TUMBLE_PROOF, their tests with every other answer of solutions/<N>_<name>/:
 #   <other>.cpp        right answers, built otherwise: every test passes
 #   mistakes/nan.cpp   returns NaN everywhere: every test fails
-#   mistakes.cmake     the bank of mistakes, see add_mutant
+#   mistakes.cmake     the bank of mistakes where TUMBLE_MISTAKES, see add_mutant
 # CTest names are <N>_<name>/<answer>/<step>/<case>; labels student, stub, right, nan, mistake.
 # A hand-out may ship without the solutions folder.
 function(add_lab name)
@@ -48,7 +48,9 @@ function(add_lab name)
   _add_cases(nan nan)
   set_tests_properties(${nan_tests} PROPERTIES PASS_REGULAR_EXPRESSION "[|] error +not finite"
     FAIL_REGULAR_EXPRESSION "All tests passed")
-  include("${solutions}/mistakes.cmake")
+  if(TUMBLE_MISTAKES)
+    include("${solutions}/mistakes.cmake")
+  endif()
 endfunction()
 
 # add_mutant(<name> <mistake> <step> <find> <replace> <words>)

@@ -30,6 +30,7 @@ common::ConingMotion coning_motion() {
 std::vector<Vec3> sampled_omega(int steps, double offset) {
   const common::ConingMotion motion = coning_motion();
   std::vector<Vec3> samples;
+  samples.reserve(static_cast<std::size_t>(steps));
   for (int i = 0; i < steps; ++i) {
     samples.push_back(angular_velocity(motion, (i + offset) / steps));
   }

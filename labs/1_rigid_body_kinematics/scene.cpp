@@ -64,7 +64,7 @@ void add_box(render::Scene& scene, const Track& track, double time) {
 
   render::Trail trail{{}, palette::purple, 3.5};
   for (std::size_t i = 0; i <= now; ++i) {
-    trail.points.push_back(track.center + track.world_from_body[i] * half_extents);
+    trail.points.emplace_back(track.center + track.world_from_body[i] * half_extents);
   }
   scene.spheres.push_back({{trail.points.back(), Mat3::Identity()}, 0.07, {palette::purple}});
   scene.trails.push_back(trail);

@@ -12,10 +12,10 @@ using Mat3L = Eigen::Matrix<long double, 3, 3>;
 
 /// R(q) of the rotation by q, from the components; q need not be quite unit.
 inline Mat3L matrix_of(const common::Quat& q) {
-  const long double w = q.w();
-  const long double x = q.x();
-  const long double y = q.y();
-  const long double z = q.z();
+  const auto w = static_cast<long double>(q.w());
+  const auto x = static_cast<long double>(q.x());
+  const auto y = static_cast<long double>(q.y());
+  const auto z = static_cast<long double>(q.z());
   const long double n = w * w + x * x + y * y + z * z;
   Mat3L R;
   R << w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y),  //

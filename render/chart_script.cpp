@@ -2,15 +2,14 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <limits>
-#include <numeric>
+#include <vector>
 
 #include "render/chart.hpp"
+#include "render/chart_axes.hpp"
 
 namespace render {
 namespace {
 
-constexpr double text_height = 0.058;    // of a label in the margin, in heights of the plot
 constexpr double letter_width = 0.0092;  // of DejaVu Sans 13 in a picture 1000 wide, on average
 
 template <typename... Values>
@@ -49,79 +48,9 @@ std::size_t letters(const std::string& text) {
   }));
 }
 
-struct Range {
-  double low = std::numeric_limits<double>::infinity();
-  double high = 0.0;
-  void add(double value) {
-    if (!(value > 0.0) || !std::isfinite(value)) return;
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  /// Widened to whole decades.
-  [[nodiscard]] Range decades() const {
-    return {std::pow(10.0, std::floor(std::log10(low))),
-            std::pow(10.0, std::ceil(std::log10(high)))};
-  }
-};
-
-struct Axes {
-  Range seconds;
-  Range error;
-};
-
-/// What is drawn: an error that grew without limit stands at the top edge.
-Axes axes_of(const Chart& chart) {
-  Axes axes;
-  for (const ChartSeries& series : chart.series) {
-    for (const ChartPoint& point : series.points) {
-      axes.seconds.add(point.seconds);
-      if (point.status == Status::ok) axes.error.add(point.error);
-    }
-  }
-  if (chart.failure_error > 0.0) axes.error.add(3.0 * chart.failure_error);
-  axes.seconds = axes.seconds.decades();
-  axes.error = axes.error.decades();
-  // The floor is drawn where it is near; from afar it would press the curves into a corner, and a
-  // line of text under them says how far.
-  const bool near = chart.rounding_floor > axes.error.low * 1e-3;
-  axes.error.low = near ? 0.1 * chart.rounding_floor : 0.1 * axes.error.low;
-  return axes;
-}
-
 std::string label_of(const ChartSeries& series) {
   return series.order > 0.0 ? series.method + formatted("  (order %g)", series.order)
                             : series.method;
-}
-
-double graph_height(const Axes& axes, double error) {
-  const double clipped = std::clamp(error, axes.error.low, axes.error.high);
-  return std::log(clipped / axes.error.low) / std::log(axes.error.high / axes.error.low);
-}
-
-/// Where the labels stand in the margin: by the last points, pushed apart to a text's height.
-std::vector<double> label_heights(const Chart& chart, const Axes& axes) {
-  const std::size_t count = chart.series.size();
-  std::vector<double> heights(count, 0.0);
-  std::vector<std::size_t> order(count);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!chart.series[i].points.empty()) {
-      heights[i] = graph_height(axes, chart.series[i].points.back().error);
-    }
-  }
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return heights[a] < heights[b]; });
-  double lowest = 0.02;
-  for (const std::size_t i : order) {
-    heights[i] = std::max(heights[i], lowest);
-    lowest = heights[i] + text_height;
-  }
-  double highest = 0.99;  // and down again where they were pushed out at the top
-  for (auto i = order.rbegin(); i != order.rend(); ++i) {
-    heights[*i] = std::min(heights[*i], highest);
-    highest = heights[*i] - text_height;
-  }
-  return heights;
 }
 
 std::string header(const Chart& chart, const Axes& axes) {
@@ -177,13 +106,13 @@ std::string boundaries(const Chart& chart, const Axes& axes) {
 }
 
 /// A label in the margin and a thin line to it from the last point.
-std::string direct_label(int tag, const ChartSeries& series, double height) {
+std::string direct_label(int tag, const ChartSeries& series, double height, const Range& error) {
   const ChartPoint& last = series.points.back();
   std::string s = formatted("set label %d ", tag) + quoted(label_of(series)) +
                   formatted(" at graph 1.045, graph %.4f noenhanced tc rgb '", height) +
                   hex(series.colour) + "'\n";
   s += formatted("set arrow %d from first %g, first %g to graph 1.035, graph %.4f nohead", tag,
-                 last.seconds, last.error, height);
+                 last.seconds, std::clamp(last.error, error.low, error.high), height);
   return s + " lw 0.7 dt (2,4) lc rgb '" + hex(series.colour) + "' back\n";
 }
 
@@ -203,13 +132,15 @@ std::string slope(const ChartSeries& series) {
          hex(series.colour) + "'";
 }
 
-/// The points of a series with one status, as a block of data inside the script.
-std::string data_block(const std::string& name, const ChartSeries& series, Status status) {
+/// The points of a series with one status, as a block of data inside the script. A logarithmic axis
+/// has no zero: errors below `least` stand there.
+std::string data_block(const std::string& name, const ChartSeries& series, Status status,
+                       double least) {
   std::string s = "$" + name + " << EOD\n";
   bool any = false;
   for (const ChartPoint& point : series.points) {
     if (point.status != status) continue;
-    s += formatted("%.17g %.17g\n", point.seconds, point.error);
+    s += formatted("%.17g %.17g\n", point.seconds, std::max(point.error, least));
     any = true;
   }
   return s + (any ? "" : "NaN NaN\n") + "EOD\n";
@@ -233,16 +164,17 @@ std::string curve(const ChartSeries& series, std::size_t index) {
 std::string chart_script(const Chart& chart) {
   Chart drawn = chart;
   std::erase_if(drawn.series, [](const ChartSeries& series) { return series.points.empty(); });
-  const Axes axes = axes_of(drawn);
+  const Axes axes = chart_axes(drawn);
   const std::vector<double> heights = label_heights(drawn, axes);
   std::string s = header(drawn, axes) + boundaries(drawn, axes);
+  const double least = std::max(drawn.rounding_floor, axes.error.low);
   std::string plots;
   std::string missing;
   for (std::size_t i = 0; i < drawn.series.size(); ++i) {
     const ChartSeries& series = drawn.series[i];
-    s += direct_label(static_cast<int>(i) + 1, series, heights[i]);
-    s += data_block("good" + std::to_string(i + 1), series, Status::ok);
-    s += data_block("failed" + std::to_string(i + 1), series, Status::unstable);
+    s += direct_label(static_cast<int>(i) + 1, series, heights[i], axes.error);
+    s += data_block("good" + std::to_string(i + 1), series, Status::ok, least);
+    s += data_block("failed" + std::to_string(i + 1), series, Status::unstable, least);
     plots += (plots.empty() ? "" : ", \\\n     ") + curve(series, i) + slope(series);
   }
   for (const ChartSeries& series : chart.series) {

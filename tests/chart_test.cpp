@@ -115,6 +115,18 @@ TEST_CASE("Long labels are never cut off at the edge", "[chart]") {
   CHECK(inked_labels > 500);
 }
 
+TEST_CASE("Errors of zero and without limit stand at the edges and are drawn", "[chart]") {
+  Chart chart = sample();
+  for (ChartPoint& point : chart.series[0].points) point.error = 0.0;
+  for (ChartPoint& point : chart.series[1].points) {
+    point.error = 1e300;
+    point.status = Status::unstable;
+  }
+  const TemporaryFolder folder;
+  CHECK(write_chart(chart, folder.path / "chart") == has_gnuplot());
+  CHECK(message_of([&] { write_chart(chart, folder.path / "chart"); }).empty());
+}
+
 TEST_CASE("A folder that cannot be written is one error and leaves nothing", "[chart]") {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "file") << "in the way";

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "render/chart.hpp"
+
+namespace render {
+
+/// An interval of a logarithmic axis.
+struct Range {
+  double low = std::numeric_limits<double>::infinity();
+  double high = 0.0;
+};
+
+struct Axes {
+  Range seconds;
+  Range error;
+};
+
+/// Whole decades that hold every point that is drawn. An error that grew without limit does not
+/// count: it stands at the top edge.
+Axes chart_axes(const Chart& chart);
+
+/// Where the labels stand in the margin, in heights of the plot from its foot: beside the last
+/// points, pushed apart to a text's height.
+std::vector<double> label_heights(const Chart& chart, const Axes& axes);
+
+}  // namespace render

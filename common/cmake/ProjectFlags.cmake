@@ -6,6 +6,8 @@ add_library(base_flags INTERFACE)
 target_compile_features(base_flags INTERFACE cxx_std_20)
 target_include_directories(base_flags INTERFACE "${PROJECT_SOURCE_DIR}")
 set(CMAKE_CXX_EXTENSIONS OFF)
+# While asserts are on, an index beyond a vector's end is an error that says so.
+target_compile_definitions(base_flags INTERFACE $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
 if(TUMBLE_SANITIZE)
   set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_compile_options(base_flags INTERFACE ${sanitizers})

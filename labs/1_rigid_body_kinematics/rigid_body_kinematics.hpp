@@ -44,6 +44,8 @@ Mat3 skew(const Vec3& w);
 Vec3 world_point(const RigidBodyState& state, const Vec3& point_body);
 
 /// Where a world point stands in the body: Rᵀ (p − x), body frame [m]; undoes world_point.  eq. (3)
+///
+/// accuracy  to a few ulp of p − x, also where both are far from the world's origin
 Vec3 body_point(const RigidBodyState& state, const Vec3& point);
 
 /// Velocity of the body's material that is now at `point`: v + ω × (p − x) [m/s].  eq. (4)

@@ -80,12 +80,24 @@ add_mutant(${lab} torque_about_the_origin 1.3
 add_mutant(${lab} last_torque_only 1.3
   "net.torque += r.cross" "net.torque = r.cross" "only the last force counts")
 
+# Small forces are taken for none.
+add_mutant(${lab} small_forces_ignored 1.3
+  "const Vec3 r = applied.point - center_of_mass;"
+  "if (applied.force.norm() < 1e-6) continue;
+    const Vec3 r = applied.point - center_of_mass;" "no force")
+
 # ---- 1.4 ----
 
 # omega is taken for a body vector: its matrix is put behind R.
 add_mutant(${lab} matrix_step_in_body_frame 1.4
   "dt * skew(angular_velocity) * world_from_body" "dt * world_from_body * skew(angular_velocity)"
   "stands on the right")
+
+# Slow spins are taken for none.
+add_mutant(${lab} matrix_step_guard_too_wide 1.4
+  "return world_from_body + dt * skew(angular_velocity) * world_from_body;"
+  "if (angular_velocity.norm() < 1e-6) return world_from_body;
+  return world_from_body + dt * skew(angular_velocity) * world_from_body;" "guard that is too wide")
 
 # The derivative is returned instead of the next matrix.
 add_mutant(${lab} matrix_step_without_start 1.4
@@ -131,6 +143,16 @@ add_mutant(${lab} quaternion_step_in_body_frame 1.5
 add_mutant(${lab} quaternion_not_normalised 1.5
   "next.normalize();" "" "not normalised")
 
+# Division by zero is feared where none is.
+add_mutant(${lab} quaternion_step_guard_too_wide 1.5
+  "const Vec3& omega = angular_velocity;"
+  "const Vec3& omega = angular_velocity;
+  if (omega.norm() < 1e-6) return world_from_body;" "guard that is too wide")
+
+# The step's length is forgotten.
+add_mutant(${lab} quaternion_step_without_dt 1.5
+  "0.5 * dt * rate.coeffs()" "0.5 * rate.coeffs()" "dt is missing")
+
 # The order of Eigen's constructor (w, x, y, z) is mistaken for that of its coefficients.
 add_mutant(${lab} quaternion_order_mixed_up 1.5
   "Quat(0.0, omega.x(), omega.y(), omega.z())" "Quat(omega.x(), omega.y(), omega.z(), 0.0)" "order")
@@ -142,14 +164,20 @@ add_mutant(${lab} exponential_of_whole_angle 1.6 "0.5 * angle" "angle" "whole an
 
 # A generous guard against the division by zero: small turns are lost.
 add_mutant(${lab} exponential_guard_too_wide 1.6
-  "if (angle == 0.0)" "if (angle < 1e-6)" "guard for zero is too wide")
+  "if (angle == 0.0)" "if (angle < 1e-6)" "is too wide")
 
 # No guard: 0/0.
 add_mutant(${lab} exponential_nan_at_zero 1.6 "if (angle == 0.0) return Quat::Identity();" "" "")
 
 # The plain norm squares: below 1e-154 nothing is left of the angle.
 add_mutant(${lab} exponential_underflow 1.6 "rotation_vector.stableNorm()" "rotation_vector.norm()"
-  "guard for zero is too wide")
+  "length underflows")
+
+# A generous guard in the step instead of the map: slow spins never turn.
+add_mutant(${lab} exponential_step_guard_too_wide 1.6
+  "return exponential_map(dt * angular_velocity) * world_from_body;"
+  "if (dt * angular_velocity.norm() < 1e-8) return world_from_body;
+  return exponential_map(dt * angular_velocity) * world_from_body;" "guard that is too wide")
 
 # The series is cut after its linear term, as in step 1.5.
 add_mutant(${lab} exponential_is_euler 1.6

@@ -49,8 +49,13 @@ class Outcomes(unittest.TestCase):
 
     def test_a_wrong_value_beside_an_unwritten_function_is_wrong(self) -> None:
         case = ctest.Case("a/student/1.1/b", "fail", "Failed",
-                          "| step 1.1 skew\n| got 1\n  1.2 world_point is not written yet\n")
+                          "| step 1.1 skew\n| got 1\n  1.2 world_point is not written yet\n"
+                          "test cases: 1 | 1 failed\n")
         self.assertEqual(outcome(case).word, "wrong")
+
+    def test_an_answer_that_calls_exit_has_not_passed(self) -> None:
+        case = ctest.Case("a/student/1.1/b", "fail", "Failed", "Filters: b\n")
+        self.assertEqual(outcome(case).word, "ended early")
 
 
 class Checklist(KitTestCase):
@@ -92,7 +97,7 @@ class Checklist(KitTestCase):
     def test_all_explains_every_failure_from_what_is_known_of_it(self) -> None:
         text = " ".join(self.kit.tumble("test", "1", "--all").stdout.split())
         for words in ("FAILED: CHECK( error < 1e-12 ) with expansion: 0.25 < 0.0",
-                      "crashed (SIGSEGV); the usual cause",
+                      "crashed (SIGSEGV); usual causes",
                       "this assert did not hold: determinant > 0.0",
                       "did not end in time", "an exception came out: vector::_M_range_check"):
             self.assertIn(words, text)

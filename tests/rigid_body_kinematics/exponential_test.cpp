@@ -29,11 +29,21 @@ Quat exact_exponential(const Vec3& a, double share = 0.5) {
 
 std::vector<tests::Suspect<Quat>> suspects_of_map(const Vec3& a) {
   const Quat linear(1.0, 0.5 * a.x(), 0.5 * a.y(), 0.5 * a.z());
-  return {{exact_exponential(a, 1.0), "the whole angle is in the quaternion; it holds half of it"},
-          {exact_exponential(-a), "it turns the wrong way"},
-          {linear,
-           "the series is cut after the linear term: this is step 1.5 without its normalisation"},
-          {linear.normalized(), "this is the Euler step of 1.5, which turns by 2 atan(x/2)"}};
+  const Quat exact = exact_exponential(a);
+  const Vec3 swapped = a.normalized() * exact.w();
+  const Vec3 long_axis = exact.vec() * a.norm();
+  return {
+      {exact_exponential(a, 1.0), "the whole angle is in the quaternion; it holds half of it"},
+      {exact_exponential(-a), "it turns the wrong way"},
+      {{exact.vec().norm(), swapped.x(), swapped.y(), swapped.z()}, "sine and cosine are swapped"},
+      {{exact.w(), long_axis.x(), long_axis.y(), long_axis.z()}, "the axis is a, not a/|a|"},
+      {{exact.x(), exact.y(), exact.z(), exact.w()},
+       "the order of the coefficients: Quat's constructor takes (w, x, y, z)"},
+      {{std::abs(exact.w()), exact.x(), exact.y(), exact.z()},
+       "the sign of the cosine is lost, as by a root of 1 - sin^2"},
+      {linear,
+       "the series is cut after the linear term: this is step 1.5 without its normalisation"},
+      {linear.normalized(), "this is the Euler step of 1.5, which turns by 2 atan(x/2)"}};
 }
 
 Trial map_trial(const Vec3& a, int index = 1, int count = 1) {
@@ -53,6 +63,8 @@ std::vector<tests::Suspect<Quat>> suspects_of_step(const Quat& q, const Vec3& om
   return {{product(q, exact_exponential(a)),
            "the turn stands on the right of q: that is for an omega in the body frame"},
           {product(exact_exponential(-a), q), "it turns the wrong way"},
+          {product(exact_exponential(omega), q), "dt is missing"},
+          {q, "nothing turns: small spins are thrown away by a guard that is too wide"},
           {product(linear.normalized(), q),
            "this is the Euler step of 1.5, which turns by 2 atan(x/2)"},
           {exact_exponential(a), "q is missing: only this step's turn is returned"}};
@@ -60,10 +72,11 @@ std::vector<tests::Suspect<Quat>> suspects_of_step(const Quat& q, const Vec3& om
 
 }  // namespace
 
-TEST_CASE("A quarter turn about z is the square root of one half twice", "[1.6]") {
-  const Vec3 a(0.0, 0.0, std::acos(0.0));
-  map_trial(a).expect(exponential_map(a), Quat(std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)),
-                      {4.0 * eps, "a sine, a cosine and the rounding of pi/2"}, suspects_of_map(a));
+TEST_CASE("A third of a turn about z is one half and the root of three quarters", "[1.6]") {
+  const Vec3 a(0.0, 0.0, 4.0 * std::acos(0.0) / 3.0);
+  map_trial(a).expect(exponential_map(a), Quat(0.5, 0.0, 0.0, std::sqrt(0.75)),
+                      {8.0 * eps, "a sine, a cosine and the rounding of the angle"},
+                      suspects_of_map(a));
 }
 
 TEST_CASE("The exponential map agrees with fifty digits at every angle", "[1.6]") {
@@ -82,15 +95,19 @@ TEST_CASE("Small angles keep all their digits", "[1.6]") {
   // Below 1e-8 the vector part is a/2 to the last bit, and the real part is 1.
   tests::Random random(62);
   for (int i = 1; i <= 100; ++i) {
-    const double angle = std::pow(10.0, random.uniform(-300.0, -2.0));
+    // From 1e-2 down to 1e-300, so that the first failure shows where digits are lost.
+    const double angle = std::pow(10.0, 1.0 - 3.0 * i - random.uniform(0.0, 1.0));
     const Vec3 a = angle * random.direction();
-    const Quat got = exponential_map(a);
+    Quat got = exponential_map(a);
+    if (got.w() < 0.0) got.coeffs() *= -1.0;  // q and -q are one attitude
     const Quat wanted = exact_exponential(a);
     const Trial trial = map_trial(a, i, 100);
     trial.expect(
         Vec3(got.vec()), Vec3(wanted.vec()),
         {8.0 * eps * 0.5 * angle, "a few roundings, each relative to the small angle itself"},
-        {{Vec3(Vec3::Zero()), "small angles are rounded to none: the guard for zero is too wide"},
+        {{Vec3(Vec3::Zero()),
+          angle > 1e-150 ? "small angles are thrown away: the guard for zero is too wide"
+                         : "the length underflows: norm() squares, and 1e-162 squared is 0"},
          {Vec3(a), "the whole angle is in the quaternion; it holds half of it"}});
     trial.expect(got.w(), wanted.w(), {2.0 * eps, "a cosine near 1"});
   }
@@ -127,6 +144,20 @@ TEST_CASE("A step turns the world side of the attitude", "[1.6]") {
         .expect(step_exponential(q, omega, dt), product(exact_exponential(omega * dt), q),
                 {(16.0 + omega.norm() * std::abs(dt)) * eps, "the map's rounding and one product"},
                 suspects_of_step(q, omega, dt));
+  }
+}
+
+TEST_CASE("However slow the spin a step turns by it", "[1.6]") {
+  for (const double speed : {1e-6, 1e-9, 1e-100}) {
+    const Vec3 omega(2.0 * speed, -3.0 * speed, 6.0 * speed);
+    Quat q = step_exponential(Quat::Identity(), omega, 0.5);
+    if (q.w() < 0.0) q.coeffs() *= -1.0;
+    step_trial(Quat::Identity(), omega, 0.5)
+        .of("the vector part")
+        .expect(Vec3(q.vec()), Vec3(0.25 * omega),
+                {8.0 * eps * speed * 1.75 + std::pow(speed, 3) * 8.0,
+                 "a few roundings relative to itself; sin t = t but for t^3/6"},
+                {{Vec3(Vec3::Zero()), "small spins are thrown away by a guard that is too wide"}});
   }
 }
 

@@ -41,11 +41,28 @@ Trial wrench_trial(const Vec3& center, const std::vector<AppliedForce>& forces, 
   Trial trial = Trial("1.3 net_wrench", index, count).given("center_of_mass", center);
   for (std::size_t i = 0; i < forces.size(); ++i) {
     const std::string name = "forces[" + std::to_string(i) + "]";
-    trial = std::move(trial)
-                .given(name + ".force", forces[i].force)
-                .given(name + ".point", forces[i].point);
+    trial.given(name + ".force", forces[i].force).given(name + ".point", forces[i].point);
   }
   return trial;
+}
+
+/// Requires both parts, each by its name.
+void expect_wrench(const Trial& trial, const Wrench& got, const Wrench& wanted, double force_bound,
+                   double torque_bound, const std::vector<AppliedForce>& forces,
+                   const Vec3& center) {
+  std::vector<tests::Suspect<Vec3>> suspects_of_force;
+  if (!forces.empty()) {
+    suspects_of_force = {{forces.back().force, "only the last force counts: = where += belongs"},
+                         {forces.front().force, "only the first force counts"},
+                         {Vec3::Zero(), "no force is added up"}};
+  }
+  trial.of("the force")
+      .expect(got.force, wanted.force, {force_bound, "a few additions, in any order"},
+              suspects_of_force);
+  trial.of("the torque")
+      .expect(got.torque, wanted.torque,
+              {torque_bound, "a few cross products and additions, in any order"},
+              suspects_of_torque(center, forces));
 }
 
 double size_of(const Vec3& center, const std::vector<AppliedForce>& forces) {
@@ -54,10 +71,10 @@ double size_of(const Vec3& center, const std::vector<AppliedForce>& forces) {
   return size;
 }
 
-std::vector<AppliedForce> random_forces(tests::Random& random, int count) {
+std::vector<AppliedForce> random_forces(tests::Random& random, int count, double size) {
   std::vector<AppliedForce> forces;
   for (int i = 0; i < count; ++i) {
-    const Vec3 force = random.vector(10.0);
+    const Vec3 force = random.vector(size);
     forces.push_back({force, random.vector(2.0)});
   }
   return forces;
@@ -127,55 +144,44 @@ TEST_CASE("A turn keeps the kinetic energy of a spin that turns along", "[1.3]")
 TEST_CASE("A force on the x side along y turns about plus z", "[1.3]") {
   const Vec3 center(5.0, 0.0, 0.0);
   const std::vector<AppliedForce> forces{{Vec3(0.0, 3.0, 0.0), Vec3(7.0, 0.0, 0.0)}};
-  const Wrench got = net_wrench(center, forces);
-  const tests::Bound exact{0.0, "small whole numbers are exact"};
-  wrench_trial(center, forces).expect(got.force, Vec3(0.0, 3.0, 0.0), exact);
-  wrench_trial(center, forces)
-      .expect(got.torque, Vec3(0.0, 0.0, 6.0), exact, suspects_of_torque(center, forces));
+  const Wrench wanted{Vec3(0.0, 3.0, 0.0), Vec3(0.0, 0.0, 6.0)};
+  expect_wrench(wrench_trial(center, forces), net_wrench(center, forces), wanted, 0.0, 0.0, forces,
+                center);
 }
 
-TEST_CASE("Forces and torques add up", "[1.3]") {
+TEST_CASE("Forces and torques add up whether large or small", "[1.3]") {
   tests::Random random(34);
   for (int i = 1; i <= 50; ++i) {
     const Vec3 center = random.vector(2.0);
-    const std::vector<AppliedForce> forces = random_forces(random, 2 + i % 5);
-    Vec3 force = Vec3::Zero();
+    const double size = i % 2 == 0 ? 10.0 : 1e-9;
+    const std::vector<AppliedForce> forces = random_forces(random, 2 + i % 5, size);
+    Wrench wanted;
     tests::Vec3L torque = tests::Vec3L::Zero();
     double total = 0.0;
     for (const AppliedForce& applied : forces) {
       const tests::Vec3L r = applied.point.cast<long double>() - center.cast<long double>();
-      force += applied.force;
+      wanted.force += applied.force;
       torque += r.cross(applied.force.cast<long double>());
       total += applied.force.norm();
     }
-    const Wrench got = net_wrench(center, forces);
-    const Trial trial = wrench_trial(center, forces, i, 50);
-    trial.expect(got.force, force, {8.0 * eps * total, "at most six additions, in any order"},
-                 {{forces.back().force, "only the last force counts: = where += belongs"},
-                  {forces.front().force, "only the first force counts"}});
-    trial.expect(got.torque, Vec3(torque.cast<double>()),
-                 {16.0 * eps * size_of(center, forces), "at most six cross products and additions"},
-                 suspects_of_torque(center, forces));
+    wanted.torque = torque.cast<double>();
+    expect_wrench(wrench_trial(center, forces, i, 50), net_wrench(center, forces), wanted,
+                  8.0 * eps * total, 16.0 * eps * size_of(center, forces), forces, center);
   }
 }
 
 TEST_CASE("A couple moves nothing and turns the same about every centre", "[1.3]") {
   const std::vector<AppliedForce> couple{{Vec3(0.0, 2.0, 0.0), Vec3(1.0, 0.0, 0.0)},
                                          {Vec3(0.0, -2.0, 0.0), Vec3(-1.0, 0.0, 0.0)}};
-  const tests::Bound exact{0.0, "small whole numbers are exact"};
+  const Wrench wanted{Vec3::Zero(), Vec3(0.0, 0.0, 4.0)};
   for (const Vec3& center : {Vec3(0.0, 0.0, 0.0), Vec3(4.0, -3.0, 2.0)}) {
-    const Wrench got = net_wrench(center, couple);
-    wrench_trial(center, couple)
-        .expect(got.force, Vec3(Vec3::Zero()), exact,
-                {{couple.back().force, "only the last force counts: = where += belongs"}});
-    wrench_trial(center, couple)
-        .expect(got.torque, Vec3(0.0, 0.0, 4.0), exact, suspects_of_torque(center, couple));
+    // Small whole numbers are exact.
+    expect_wrench(wrench_trial(center, couple), net_wrench(center, couple), wanted, 0.0, 0.0,
+                  couple, center);
   }
 }
 
 TEST_CASE("Without forces there is neither force nor torque", "[1.3]") {
-  const Wrench got = net_wrench(Vec3(1.0, 2.0, 3.0), {});
-  const tests::Bound exact{0.0, "an empty sum"};
-  wrench_trial(Vec3(1.0, 2.0, 3.0), {}).expect(got.force, Vec3(Vec3::Zero()), exact);
-  wrench_trial(Vec3(1.0, 2.0, 3.0), {}).expect(got.torque, Vec3(Vec3::Zero()), exact);
+  const Vec3 center(1.0, 2.0, 3.0);
+  expect_wrench(wrench_trial(center, {}), net_wrench(center, {}), {}, 0.0, 0.0, {}, center);
 }

@@ -23,6 +23,8 @@ std::vector<tests::Suspect<Mat3>> suspects_of_step(const Mat3& R, const Vec3& om
           {R - dt * W * R, "it turns the wrong way: the transpose of [omega]x"},
           {R + dt * W, "R is missing behind [omega]x"},
           {dt * W * R, "only the change is returned: R + is missing"},
+          {R + W * R, "dt is missing"},
+          {R, "nothing turns: the change is not added, or small spins are thrown away"},
           {exact, "this is the exact turn of step 1.6; this step asks for plain Euler"}};
 }
 
@@ -74,6 +76,18 @@ TEST_CASE("A body that does not spin keeps its attitude exactly", "[1.4]") {
   const tests::Bound exact{0.0, "zero is added"};
   step_trial(R, Vec3::Zero(), 0.1).expect(step_matrix_euler(R, Vec3::Zero(), 0.1), R, exact);
   step_trial(R, Vec3::UnitX(), 0.0).expect(step_matrix_euler(R, Vec3::UnitX(), 0.0), R, exact);
+}
+
+TEST_CASE("However slow the spin the matrix changes by it", "[1.4]") {
+  for (const double speed : {1e-6, 1e-9, 1e-100}) {
+    const Vec3 omega(2.0 * speed, -3.0 * speed, 6.0 * speed);
+    const Mat3 R = Mat3::Identity();
+    const Mat3 next = step_matrix_euler(R, omega, 0.5);
+    const Vec3 got(next(2, 1), next(0, 2), next(1, 0));
+    step_trial(R, omega, 0.5)
+        .expect(got, Vec3(0.5 * omega), {4.0 * eps * speed * 3.5, "a product, relative to itself"},
+                {{Vec3(Vec3::Zero()), "small spins are thrown away by a guard that is too wide"}});
+  }
 }
 
 TEST_CASE("Euler on the matrix converges with order one on a coning motion", "[1.4]") {

@@ -43,12 +43,12 @@ std::vector<tests::Suspect<Mat3>> suspects_of(const Known& known) {
        "a reflection: where the determinant of U V^T is -1, it must be mended"},
       {with_signs(-1, 1, -1),
        "the direction of the greatest singular value gives way, not the least"},
-      {with_signs(-1, -1, 1) * -1.0,
-       "the sign of the whole matrix is turned, not of one direction"},
+      {with_signs(-1, -1, 1), "the sign of the whole matrix is turned, not of one direction"},
       {gram_schmidt(A), "this is Gram-Schmidt: a rotation, but not the nearest"},
       {gram_schmidt(A.transpose()).transpose(),
        "this is Gram-Schmidt on the rows: a rotation, but not the nearest"},
       {A.colwise().normalized(), "only the columns' lengths are mended, not the angles between"},
+      {with_signs(-1, -1, -1), "the whole result has the wrong sign"},
       {A, "nothing is mended"}};
 }
 

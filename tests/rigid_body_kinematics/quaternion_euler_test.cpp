@@ -26,6 +26,10 @@ std::vector<tests::Suspect<Quat>> suspects_of(const Quat& q, const Vec3& omega, 
           {sum(q, 0.5 * dt, right).normalized(),
            "omega stands on the right of q: that is for an omega in the body frame"},
           {sum(q, 0.5 * dt, left), "the quaternion is not normalised"},
+          {sum(q, 0.5, left).normalized(), "dt is missing"},
+          {sum(q, 0.5 * dt, product(pure(omega), sum(q, 0.25 * dt, left))).normalized(),
+           "this is the midpoint rule; this step asks for plain Euler"},
+          {q, "nothing turns: 1/2 is 0 in whole numbers, or small spins are thrown away"},
           {sum(q, -0.5 * dt, left).normalized(), "it turns the wrong way: the sign of omega"},
           {sum(q, 0.5 * dt, pure(omega)).normalized(), "q is missing behind omega"},
           {sum(q, 0.5 * dt, product({omega.x(), omega.y(), omega.z(), 0.0}, q)).normalized(),
@@ -51,11 +55,11 @@ double lag(double x) {
 
 TEST_CASE("At two radians a step Euler turns a quarter turn", "[1.5]") {
   // q = (1, 0, 0, 1)/sqrt2: 2 atan(x/2) at x = 2.
-  const Vec3 omega(0.0, 0.0, 4.0);
+  const Vec3 omega(0.0, 0.0, 8.0);
   const Quat q = Quat::Identity();
-  step_trial(q, omega, 0.5)
-      .expect(step_quaternion_euler(q, omega, 0.5), Quat(std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)),
-              {4.0 * eps, "a root and a division"}, suspects_of(q, omega, 0.5));
+  step_trial(q, omega, 0.25)
+      .expect(step_quaternion_euler(q, omega, 0.25), Quat(std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)),
+              {4.0 * eps, "a root and a division"}, suspects_of(q, omega, 0.25));
 }
 
 TEST_CASE("A quaternion step goes along half of omega q and is normalised", "[1.5]") {
@@ -101,10 +105,23 @@ TEST_CASE("Without a spin or a step the attitude stays", "[1.5]") {
       .expect(step_quaternion_euler(q, Vec3::UnitX(), 0.0), q, rounding);
 }
 
+TEST_CASE("However slow the spin the quaternion turns by it", "[1.5]") {
+  for (const double speed : {1e-6, 1e-9, 1e-100}) {
+    const Vec3 omega(2.0 * speed, -3.0 * speed, 6.0 * speed);
+    const Quat q = step_quaternion_euler(Quat::Identity(), omega, 0.5);
+    step_trial(Quat::Identity(), omega, 0.5)
+        .of("the vector part")
+        .expect(Vec3(q.vec()), Vec3(0.25 * omega),
+                {8.0 * eps * speed * 1.75 + 0.5 * std::pow(speed, 3) * 8.0,
+                 "a few roundings relative to itself, and the length that (10) divides by"},
+                {{Vec3(Vec3::Zero()), "small spins are thrown away by a guard that is too wide"}});
+  }
+}
+
 TEST_CASE("A quaternion step turns by twice the arc tangent of x over 2", "[1.5]") {
   tests::Random random(54);
   int index = 0;
-  for (const double x : {1e-6, 0.1, 0.5, 1.0, 3.0, 10.0, 1e6}) {
+  for (const double x : {1e-6, 0.1, 0.6, 1.0, 3.0, 10.0, 1e6}) {
     const Vec3 axis = random.direction();
     const Quat q = step_quaternion_euler(Quat::Identity(), axis, x);
     step_trial(Quat::Identity(), axis, x, ++index, 7)

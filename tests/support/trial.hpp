@@ -25,7 +25,7 @@ struct Suspect {
 };
 
 /// One input on which a contract function is judged. When the judgement fails it explains itself on
-/// stderr, a line a fact, each after "| ": step, case, input, got, wanted, error, because, likely.
+/// stderr, a line a fact, each after "| ": step, case, input, got, wanted, error, bound, likely.
 class Trial {
  public:
   /// step_and_function  as the stub throws it: "1.2 point_velocity"
@@ -35,9 +35,16 @@ class Trial {
 
   /// An argument, printed as C++ that can be pasted.
   template <typename Value>
-  Trial&& given(const std::string& name, const Value& value) && {
+  Trial& given(const std::string& name, const Value& value) {
     inputs_.push_back(name + " = " + text(value) + ";");
-    return std::move(*this);
+    return *this;
+  }
+
+  /// The same trial of one part of the result, as of "the torque".
+  [[nodiscard]] Trial of(const std::string& part) const {
+    Trial trial = *this;
+    trial.part_ = part;
+    return trial;
   }
 
   /// Requires |got − wanted| ≤ bound, in the norm of values.hpp. Where exactly one suspect gives
@@ -56,7 +63,7 @@ class Trial {
           stories.push_back(suspect.story);
         }
       }
-      explain(text(got), text(wanted), text(error) + ", bound " + text(bound.value), bound.reason,
+      explain(text(got), text(wanted), text(error), text(bound.value) + ": " + bound.reason,
               stories);
     }
     REQUIRE(error <= bound.value);
@@ -67,8 +74,8 @@ class Trial {
                     const std::vector<std::string>& likely = {}) const {
     if (!is_finite(error)) fail_not_finite(what + " = " + text(error), "0");
     if (!(error <= bound.value)) {
-      explain(what + " = " + text(error), "0", text(error) + ", bound " + text(bound.value),
-              bound.reason, likely);
+      explain(what + " = " + text(error), "0", text(error), text(bound.value) + ": " + bound.reason,
+              likely);
     }
     REQUIRE(error <= bound.value);
   }
@@ -78,8 +85,8 @@ class Trial {
   void expect_throw(const Call& call, const std::string& why) const {
     try {
       const auto got = call();
-      if (!is_finite(got)) fail_not_finite(text(got), "an exception");
-      explain(text(got), "an exception", "none thrown", why, {});
+      if (!is_finite(got)) fail_not_finite(text(got), "an exception, since " + why);
+      explain(text(got), "an exception, since " + why, "nothing is thrown", "", {});
     } catch (const common::NotImplemented&) {
       throw;
     } catch (const std::exception&) {
@@ -91,26 +98,28 @@ class Trial {
 
  private:
   [[noreturn]] void fail_not_finite(const std::string& got, const std::string& wanted) const {
-    explain(got, wanted, "not finite", "NaN and infinity are never right here", {});
+    explain(got, wanted, "not finite: NaN and infinity are never right here", "", {});
     FAIL(step_ << " returned a value that is not finite");
     std::terminate();  // FAIL throws
   }
 
   /// Two stories that fit are none: only a sure sign is named.
   void explain(const std::string& got, const std::string& wanted, const std::string& error,
-               const std::string& reason, const std::vector<std::string>& stories) const {
+               const std::string& bound, const std::vector<std::string>& stories) const {
     std::string lines = "| step    " + step_ + "\n";
     if (count_ > 1) {
       lines += "| case    " + std::to_string(index_) + " of " + std::to_string(count_) + "\n";
     }
     for (const std::string& input : inputs_) lines += "| input   " + input + "\n";
+    if (!part_.empty()) lines += "| note    this is about " + part_ + "\n";
     lines += "| got     " + got + "\n| wanted  " + wanted + "\n| error   " + error + "\n";
-    lines += "| because " + reason + "\n";
+    if (!bound.empty()) lines += "| bound   " + bound + "\n";
     if (stories.size() == 1) lines += "| likely  " + stories.front() + "\n";
     std::cerr << lines << std::flush;
   }
 
   std::string step_;
+  std::string part_;
   int index_;
   int count_;
   std::vector<std::string> inputs_;

@@ -9,13 +9,14 @@ from typing import Mapping, NamedTuple, Optional, Sequence
 from . import build, ctest
 from .console import FAILED, Failure, coloured, labelled, mark, say, shortened
 from .labs import Lab, find_lab
-from .outcome import (CRASHED, EXCEPTION, NOT_RUN, NOT_WRITTEN, PASS, TIMED_OUT, Outcome, assertion,
+from .outcome import (CRASHED, ENDED_EARLY, EXCEPTION, NOT_RUN, NOT_WRITTEN, PASS, TIMED_OUT, Outcome, assertion,
                       catch_failure, explanation, outcome)
 
-_PROSE = {"because", "likely", "note", "error"}
+_PROSE = {"bound", "likely", "note", "error"}
 _LABEL_WIDTH = 7
 _TAIL_LINES = 12
-_USUAL_CRASH = "the usual cause is an index out of range"
+_USUAL_CRASH = ("usual causes are an index out of range, a function that calls itself without end, "
+                "and a missing return")
 
 
 class Checked(NamedTuple):
@@ -137,11 +138,14 @@ def _explain(failure: Checked) -> list[str]:
 def _from_outside(failure: Checked) -> list[tuple[str, str]]:
     word, detail = failure.outcome
     if word == TIMED_OUT:
-        return [("note", "it did not end in time: look for a loop that cannot end")]
+        return [("note", "it did not end in time: look for a loop that cannot end "
+                         "or a missing return")]
     if word == CRASHED:
         broken: Optional[str] = assertion(failure.case.output)
         why = f"this assert did not hold: {broken}" if broken else _USUAL_CRASH
         return [("note", f"the program crashed ({detail}); {why}")]
+    if word == ENDED_EARLY:
+        return [("note", "the program ended before the test did, as after a call of exit()")]
     if word == EXCEPTION:
         return [("note", f"an exception came out: {detail}")]
     if word == NOT_RUN:

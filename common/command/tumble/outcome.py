@@ -13,6 +13,7 @@ NOT_WRITTEN = "not written yet"
 CRASHED = "crashed"
 TIMED_OUT = "timed out"
 EXCEPTION = "exception"
+ENDED_EARLY = "ended early"
 NOT_RUN = "not run"
 
 _NOT_WRITTEN = re.compile(r"^\s*(\d+\.\d+ \w+) is not written yet\s*$", re.MULTILINE)
@@ -22,6 +23,7 @@ _ASSERTION = re.compile(r"^.*Assertion [`'](.+)' failed\.?$", re.MULTILINE)
 _CATCH_FAILURE = re.compile(r"^[^\n]+: FAILED:\n.*?(?=\n\n(?:[.=-]{20}|\S+: FAILED)|\Z)",
                             re.MULTILINE | re.DOTALL)
 _EXPLANATION = re.compile(r"\| (\w+) *(.*)")
+_VERDICT = re.compile(r"^(test cases:|All tests passed)", re.MULTILINE)
 _OTHER_REASONS = {"", "Failed", "Not Run"}
 
 
@@ -47,6 +49,8 @@ def outcome(case: Case) -> Outcome:
     exception = _EXCEPTION.search(case.output)
     if exception and not not_written:
         return Outcome(EXCEPTION, exception.group(1))
+    if not _VERDICT.search(case.output):
+        return Outcome(ENDED_EARLY, "")
     return Outcome(WRONG, "")
 
 

@@ -70,12 +70,13 @@ class Trial {
   }
 
   /// Requires a property of the result: `error` ≤ bound, where `what` says what the error measures.
+  /// likely  a mistake of which the caller has seen the sign, or empty
   void expect_small(const std::string& what, double error, const Bound& bound,
-                    const std::vector<std::string>& likely = {}) const {
+                    const std::string& likely = "") const {
     if (!is_finite(error)) fail_not_finite(what + " = " + text(error), "0");
     if (!(error <= bound.value)) {
       explain(what + " = " + text(error), "0", text(error), text(bound.value) + ": " + bound.reason,
-              likely);
+              likely.empty() ? std::vector<std::string>{} : std::vector<std::string>{likely});
     }
     REQUIRE(error <= bound.value);
   }

@@ -9,8 +9,8 @@ from typing import Mapping, NamedTuple, Optional, Sequence
 from . import build, ctest
 from .console import FAILED, Failure, coloured, labelled, mark, say, shortened
 from .labs import Lab, find_lab
-from .outcome import (CRASHED, ENDED_EARLY, EXCEPTION, NOT_RUN, NOT_WRITTEN, PASS, TIMED_OUT, Outcome, assertion,
-                      catch_failure, explanation, outcome)
+from .outcome import (CRASHED, ENDED_EARLY, EXCEPTION, NOT_RUN, NOT_WRITTEN, PASS, TIMED_OUT,
+                      Outcome, assertion, catch_failure, explanation, outcome)
 
 _PROSE = {"bound", "likely", "note", "error"}
 _LABEL_WIDTH = 7

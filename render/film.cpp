@@ -1,0 +1,140 @@
+#include "render/film.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+
+#include "common/run_main.hpp"
+#include "render/atomic_file.hpp"
+#include "render/film_facts.hpp"
+#include "render/film_folder.hpp"
+#include "render/film_options.hpp"
+#include "render/film_strip.hpp"
+#include "render/renderer.hpp"
+#include "render/view.hpp"
+
+namespace render {
+namespace {
+
+// A line on stderr that a terminal rewrites; a log gets one at each tenth.
+class Progress {
+ public:
+  explicit Progress(int total) : total_(total), is_terminal_(isatty(STDERR_FILENO) == 1) {}
+
+  void show(int done) {
+    const int tenth = 10 * done / total_;
+    if (!is_terminal_ && tenth == last_tenth_) return;
+    last_tenth_ = tenth;
+    std::cerr << (is_terminal_ ? "\r" : "") << "frame " << done << " of " << total_
+              << (is_terminal_ && done < total_ ? "" : "\n") << std::flush;
+  }
+
+ private:
+  int total_;
+  bool is_terminal_;
+  int last_tenth_ = -1;
+};
+
+void require(bool is_right, const std::string& message) {
+  if (!is_right) throw std::invalid_argument(message);
+}
+
+// Sets the end of the part to be shown, and checks the film against it.
+void fit_to_film(FilmOptions& options, const Film& film) {
+  require(std::isfinite(film.duration) && film.duration > 0.0,
+          "the film's duration is not positive and finite");
+  require(static_cast<bool>(film.scene_at), "the film has no scenes");
+  if (options.to < 0.0) options.to = film.duration;
+  std::ostringstream end;
+  end << film.duration << " s";
+  require(options.to <= film.duration, "--to lies after the film's end at " + end.str());
+  require(
+      options.from <= options.to,
+      "--from lies after " + std::string(options.to < film.duration ? "--to" : "the film's end"));
+}
+
+int frames_of(const FilmOptions& options) {
+  constexpr double rounding = 1e-9;  // of a time that should hit the last frame
+  const double frames =
+      std::floor((options.to - options.from) * options.frames_per_second + rounding) + 1.0;
+  constexpr double most = 100000.0;
+  require(frames <= most, "more than 100000 frames");
+  return static_cast<int>(frames);
+}
+
+void draw_frames(Renderer& renderer, const Film& film, const FilmOptions& options,
+                 const FilmFolder& folder, int frames) {
+  const double aspect = static_cast<double>(options.picture.width) / options.picture.height;
+  const Camera camera = camera_framing(film.bounds, film.towards_eye, aspect);
+  Progress progress(frames);
+  for (int frame = 0; frame < frames; ++frame) {
+    const double time = std::min(options.to, options.from + frame / options.frames_per_second);
+    const Image image = renderer.picture(film.scene_at(time), camera, options.picture);
+    write_png(image, folder.file(frame_file(frame)));
+    progress.show(frame + 1);
+  }
+}
+
+// Width over height of what the bounds cover as the camera sees them, within what suits a tile.
+double tile_aspect(const Film& film) {
+  const CameraAxes axes = camera_axes(film.towards_eye);
+  const Vec3 extent = film.bounds.high - film.bounds.low;
+  const double width = axes.right.cwiseAbs().dot(extent);
+  const double height = axes.up.cwiseAbs().dot(extent);
+  return std::clamp(width / std::max(height, 1e-9 * width), 0.75, 1.9);
+}
+
+std::string time_stamp(double time) {
+  std::ostringstream out;
+  out << "t = " << std::fixed << std::setprecision(2) << time << " s";
+  return out.str();
+}
+
+void draw_strip(Renderer& renderer, const Film& film, const FilmOptions& options,
+                const FilmFolder& folder) {
+  std::vector<double> times = film.strip_times;
+  if (times.empty()) times.push_back(options.from);
+  PictureOptions picture;
+  picture.quality = Quality::report;
+  picture.white = options.picture.white;
+  picture.height = 400;
+  const double aspect = tile_aspect(film);
+  picture.width = static_cast<int>(std::lround(picture.height * aspect));
+  const Camera camera = camera_framing(film.bounds, film.towards_eye, aspect);
+  std::vector<StripTile> tiles;
+  for (const double time : times) {
+    require(std::isfinite(time), "a time of the strip is not finite");
+    tiles.push_back({renderer.picture(film.scene_at(time), camera, picture), time_stamp(time)});
+  }
+  constexpr int widest = 2100;
+  const int columns = strip_columns(static_cast<int>(tiles.size()), picture.width, widest);
+  const StripText text{film.title, film.subtitle, film.parameters, film.measured};
+  write_png(film_strip(tiles, text, columns), folder.file(strip_file));
+}
+
+void make(FilmOptions options, const std::function<Film()>& make_film) {
+  const Film film = make_film();
+  fit_to_film(options, film);
+  const int frames = frames_of(options);
+  FilmFolder folder(options.folder);
+  Renderer renderer;
+  draw_frames(renderer, film, options, folder, frames);
+  draw_strip(renderer, film, options, folder);
+  write_file_atomically(folder.file(facts_file), film_facts(film, options, frames));
+  folder.put_in_place();
+  std::cerr << "wrote " << frames << " frames and a strip to " << folder.target().string() << '\n';
+}
+
+}  // namespace
+
+int film_main(int argc, char** argv, const std::function<Film()>& make_film) {
+  return common::run_main([&] { make(film_options(argc, argv), make_film); });
+}
+
+}  // namespace render

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "common/types.hpp"
+#include "render/colour.hpp"
+
+/// Off-screen pictures: plain descriptions in, pixels out. Knows no physics.
+namespace render {
+
+using common::Mat3;
+using common::Vec3;
+
+/// How a solid looks. A solid with an accent shows which way it is turned: a box paints its +x and
+/// −x faces so, a sphere its upper half, a cylinder and a capsule their +z end.
+struct Paint {
+  Colour colour = palette::orange;
+  Colour accent = colour;
+  float paleness = 0.0F;  ///< 0 as painted … 1 white: ghosts of earlier poses
+};
+
+/// Where a solid stands. The matrix need not be a rotation: a method that swells shows it.
+struct Placement {
+  Vec3 position = Vec3::Zero();  ///< world [m]
+  Mat3 world_from_body = Mat3::Identity();
+};
+
+struct Box {
+  Placement placement;
+  Vec3 half_extents = Vec3::Constant(0.5);  ///< [m]
+  Paint paint;
+};
+
+struct Sphere {
+  Placement placement;
+  double radius = 0.5;  ///< [m]
+  Paint paint;
+};
+
+/// About the body's z axis; flat ends.
+struct Cylinder {
+  Placement placement;
+  double radius = 0.5;       ///< [m]
+  double half_length = 0.5;  ///< [m]
+  Paint paint;
+};
+
+/// About the body's z axis; `half_length` is from the centre to the centre of an end's half sphere.
+struct Capsule {
+  Placement placement;
+  double radius = 0.25;      ///< [m]
+  double half_length = 0.5;  ///< [m]
+  Paint paint;
+};
+
+struct Mesh {
+  Placement placement;
+  std::vector<Vec3> vertices;                 ///< body [m]
+  std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise from outside
+  bool smooth = false;                        ///< normals averaged at vertices, or one a triangle
+  Paint paint;
+  std::vector<bool> lit;  ///< per triangle: accent instead of colour; may be empty
+};
+
+/// A sheet of rows x columns particles, drawn from both sides: colour in front, accent behind.
+struct Cloth {
+  int rows = 0;
+  int columns = 0;
+  std::vector<Vec3> points;  ///< world [m], row by row
+  Paint paint;
+};
+
+/// Unlit, casts no shadow.
+struct Arrow {
+  Vec3 tail = Vec3::Zero();  ///< world [m]
+  Vec3 tip = Vec3::UnitZ();  ///< world [m]
+  Colour colour = palette::ink;
+  double width = 0.03;  ///< of the shaft [m]
+};
+
+/// A path that fades towards its start.
+struct Trail {
+  std::vector<Vec3> points;  ///< world [m], oldest first
+  Colour colour = palette::grey;
+  double width = 2.0;  ///< in pixels of a picture 720 high
+};
+
+/// A touching point with its normal; drawn in front of what would hide it.
+struct ContactMark {
+  Vec3 point = Vec3::Zero();    ///< world [m]
+  Vec3 normal = Vec3::UnitZ();  ///< unit, world
+  double length = 0.4;          ///< of the drawn normal [m]
+  Colour colour = palette::vermilion;
+};
+
+/// Text beside a point of the world, always in front.
+struct Label {
+  Vec3 point = Vec3::Zero();  ///< world [m]
+  std::string text;           ///< UTF-8, one line
+  Colour colour = palette::ink;
+  double size = 18.0;  ///< in pixels of a picture 720 high
+};
+
+/// All that one picture shows.
+struct Scene {
+  std::vector<Box> boxes;
+  std::vector<Sphere> spheres;
+  std::vector<Cylinder> cylinders;
+  std::vector<Capsule> capsules;
+  std::vector<Mesh> meshes;
+  std::vector<Cloth> cloths;
+  std::vector<Arrow> arrows;
+  std::vector<Trail> trails;
+  std::vector<ContactMark> contacts;
+  std::vector<Label> labels;
+  bool ground = true;          ///< a grid and the shadows on it
+  double ground_height = 0.0;  ///< world z [m]
+};
+
+}  // namespace render

@@ -7,16 +7,17 @@
 #include <cstdio>
 #include <iomanip>
 #include <iostream>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 
 #include "common/run_main.hpp"
 #include "render/atomic_file.hpp"
 #include "render/film_facts.hpp"
-#include "render/film_folder.hpp"
 #include "render/film_options.hpp"
 #include "render/film_strip.hpp"
 #include "render/renderer.hpp"
+#include "render/staged_folder.hpp"
 #include "render/view.hpp"
 
 namespace render {
@@ -45,11 +46,31 @@ void require(bool is_right, const std::string& message) {
   if (!is_right) throw std::invalid_argument(message);
 }
 
+// As in frame_0012.png.
+std::string frame_file(int frame) {
+  std::ostringstream name;
+  name << "frame_" << std::setw(4) << std::setfill('0') << frame << ".png";
+  return name.str();
+}
+
+bool is_film_file(const std::string& name) {
+  static const std::regex frame("frame_[0-9]{4,}\\.png");
+  return name == "strip.png" || name == "film.json" || std::regex_match(name, frame);
+}
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string list;
+  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
+  return list;
+}
+
 // Sets the end of the part to be shown, and checks the film against it.
 void fit_to_film(FilmOptions& options, const Film& film) {
   require(std::isfinite(film.duration) && film.duration > 0.0,
           "the film's duration is not positive and finite");
-  require(static_cast<bool>(film.scene_at), "the film has no scenes");
+  require(static_cast<bool>(film.scene_at),
+          film.missing.empty() ? "the film has no scenes"
+                               : "nothing to draw: not written yet: " + listed(film.missing));
   if (options.to < 0.0) options.to = film.duration;
   std::ostringstream end;
   end << film.duration << " s";
@@ -69,7 +90,7 @@ int frames_of(const FilmOptions& options) {
 }
 
 void draw_frames(Renderer& renderer, const Film& film, const FilmOptions& options,
-                 const FilmFolder& folder, int frames) {
+                 const StagedFolder& folder, int frames) {
   const double aspect = static_cast<double>(options.picture.width) / options.picture.height;
   const Camera camera = camera_framing(film.bounds, film.towards_eye, aspect);
   Progress progress(frames);
@@ -97,7 +118,7 @@ std::string time_stamp(double time) {
 }
 
 void draw_strip(Renderer& renderer, const Film& film, const FilmOptions& options,
-                const FilmFolder& folder) {
+                const StagedFolder& folder) {
   std::vector<double> times = film.strip_times;
   if (times.empty()) times.push_back(options.from);
   PictureOptions picture;
@@ -114,20 +135,25 @@ void draw_strip(Renderer& renderer, const Film& film, const FilmOptions& options
   }
   constexpr int widest = 2100;
   const int columns = strip_columns(static_cast<int>(tiles.size()), picture.width, widest);
-  const StripText text{film.title, film.subtitle, film.parameters, film.measured};
-  write_png(film_strip(tiles, text, columns), folder.file(strip_file));
+  const std::string left_out =
+      film.missing.empty() ? "" : " (not written yet: " + listed(film.missing) + ")";
+  const StripText text{film.title, film.subtitle + left_out, film.parameters, film.measured};
+  write_png(film_strip(tiles, text, columns), folder.file("strip.png"));
 }
 
 void make(FilmOptions options, const std::function<Film()>& make_film) {
   const Film film = make_film();
   fit_to_film(options, film);
+  if (!film.missing.empty()) {
+    std::cerr << "left out, since not written yet: " << listed(film.missing) << '\n';
+  }
   const int frames = frames_of(options);
-  FilmFolder folder(options.folder);
+  StagedFolder folder(options.folder, is_film_file);
   Renderer renderer;
   draw_frames(renderer, film, options, folder, frames);
   draw_strip(renderer, film, options, folder);
-  write_file_atomically(folder.file(facts_file), film_facts(film, options, frames));
-  folder.put_in_place();
+  write_file_atomically(folder.file("film.json"), film_facts(film, options, frames));
+  folder.publish();
   std::cerr << "wrote " << frames << " frames and a strip to " << folder.target().string() << '\n';
 }
 

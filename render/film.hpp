@@ -18,9 +18,9 @@ struct Film {
   double duration = 1.0;            ///< [s]
   std::vector<double> strip_times;  ///< one tile each [s]
   Bounds bounds;                    ///< what every frame must show
-  Vec3 towards_eye = Vec3(1.0, -2.0, 0.9);  ///< direction from the scene to the camera
-  std::function<Scene(double time)> scene_at;
-  std::vector<std::string> missing;  ///< steps left out since they are not written yet
+  Vec3 towards_eye = Vec3(1.0, -2.0, 0.9);     ///< direction from the scene to the camera
+  std::function<Scene(double time)> scene_at;  ///< empty where all of it is missing
+  std::vector<std::string> missing;            ///< steps left out since they are not written yet
 };
 
 /// The body of every scene program: reads the arguments, draws frames and strip, and returns the

@@ -25,7 +25,7 @@ namespace render {
   X(GenVertexArrays) X(GetError) X(GetProgramInfoLog) X(GetProgramiv) X(GetShaderInfoLog)          \
   X(GetShaderiv) X(GetString) X(GetUniformLocation) X(LinkProgram) X(PixelStorei)                  \
   X(PolygonOffset) X(ReadBuffer) X(ReadPixels) X(RenderbufferStorage) X(ShaderSource)              \
-  X(TexImage2D) X(TexParameteri) X(Uniform1f) X(Uniform1i) X(Uniform2f) X(Uniform2fv)              \
+  X(TexImage2D) X(TexParameteri) X(Uniform1f) X(Uniform1i) X(Uniform2f) X(UniformMatrix2fv)              \
   X(Uniform3f) X(Uniform4f) X(UniformMatrix3fv) X(UniformMatrix4fv) X(UseProgram)                  \
   X(VertexAttribDivisor) X(VertexAttribPointer) X(Viewport)
 // clang-format on

@@ -67,8 +67,8 @@ void Program::set(const char* name, const Eigen::Matrix4f& value) const {
   gl_->UniformMatrix4fv(location(name), 1, GL_FALSE, value.data());
 }
 
-void Program::set(const char* name, const std::vector<Eigen::Vector2f>& values) const {
-  gl_->Uniform2fv(location(name), static_cast<GLsizei>(values.size()), values.front().data());
+void Program::set(const char* name, const Eigen::Matrix2f& value) const {
+  gl_->UniformMatrix2fv(location(name), 1, GL_FALSE, value.data());
 }
 
 Buffer::Buffer(const Gl& gl, GLenum target) : gl_(&gl), target_(target) { gl.GenBuffers(1, &id_); }
@@ -113,8 +113,8 @@ DepthMap::DepthMap(const Gl& gl, int side) : gl_(&gl), side_(side) {
   gl.BindTexture(GL_TEXTURE_2D, texture_);
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, side, side, 0, GL_DEPTH_COMPONENT,
                 GL_UNSIGNED_INT, nullptr);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);

@@ -32,7 +32,7 @@ class Program {
   void set(const char* name, const Eigen::Vector4f& value) const;
   void set(const char* name, const Eigen::Matrix3f& value) const;
   void set(const char* name, const Eigen::Matrix4f& value) const;
-  void set(const char* name, const std::vector<Eigen::Vector2f>& values) const;
+  void set(const char* name, const Eigen::Matrix2f& value) const;
 
  private:
   [[nodiscard]] GLint location(const char* name) const;

@@ -80,7 +80,7 @@ Rectangle hull_of(const View& view, const std::vector<Shadow>& shadows, double b
   return {hull.low.cwiseMax(-reach), hull.high.cwiseMin(reach)};
 }
 
-constexpr int side = 64;
+constexpr int side = 24;
 
 // Which cells of a rectangle's lattice need shading.
 class Cells {

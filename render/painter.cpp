@@ -13,20 +13,10 @@ constexpr int sky_map_side = 512;
 // The filter's radius, as a share of half the height of what shows.
 constexpr double filter_share = 0.025;
 
-std::vector<Eigen::Vector2f> filter_taps(double radius) {
-  constexpr int count = 16;
-  const double golden_angle = std::numbers::pi * (3.0 - std::sqrt(5.0));
-  std::vector<Eigen::Vector2f> taps;
-  // Neighbours along the spiral go to different groups, so each group fills the disc. Every fourth
-  // of them lies nearly opposite; each group starts with its outermost two.
-  for (int group = 0; group < 4; ++group) {
-    for (int i = count - 4 + group; i >= 0; i -= 4) {
-      const double distance = radius * std::sqrt((i + 0.5) / count);
-      const Eigen::Vector2d tap(std::cos(golden_angle * i), std::sin(golden_angle * i));
-      taps.emplace_back((distance * tap).cast<float>());
-    }
-  }
-  return taps;
+// Turns by three sixteenths and draws in, for soft_shadow() of the shaders.
+Eigen::Matrix2f spiral(double shrink) {
+  const Eigen::Rotation2Dd turn(3.0 * std::numbers::pi / 8.0);
+  return (shrink * turn.toRotationMatrix()).cast<float>();
 }
 
 }  // namespace
@@ -148,8 +138,11 @@ void Painter::set_shadow(const Program& program, const char* light, int unit,
 }
 
 void Painter::set_filter(const Program& program) const {
-  program.set("taps_at_once", samples_ == 1 ? 4 : 2);
-  program.set("taps", filter_taps(filter_share * view_.radius));
+  const bool is_single = samples_ == 1;
+  program.set("filter_radius", static_cast<float>(filter_share * view_.radius));
+  program.set("spiral", spiral(is_single ? 0.86 : 0.58));
+  program.set("pairs", is_single ? 8 : 2);
+  program.set("pairs_to_be_sure", is_single ? 2 : 1);
 }
 
 void Painter::set_view(const Program& program, const Vec3& towards_key) const {

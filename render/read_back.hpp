@@ -21,7 +21,7 @@ class Reader {
   Image mean(int width, int height);
 
  private:
-  const std::uint8_t* read(const Canvas& canvas, int width, int height);
+  const std::uint8_t* read(const Canvas& canvas, int width, int first, int last);
 
   std::vector<std::uint8_t> rgba_;
   std::vector<std::uint32_t> sums_;

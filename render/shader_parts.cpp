@@ -42,9 +42,11 @@ vec2 receiver_slope(mat3 light_from_world, vec3 n) {
 )";
 }
 
-// Sixteen places in a disc, in four groups that each fill it. A picture of 2 x 2 samples a pixel
-// gives each sample one group; one sample a pixel takes all four. The first few taps end it if they
-// agree: a branch would save no work on a processor that runs both sides, the end of a loop does.
+// Pairs of places on opposite sides of a disc, each pair turned and drawn in from the last by
+// `spiral`. A picture of 2 x 2 samples a pixel gives each sample two pairs, turned by eighths from
+// its neighbours'; one sample a pixel takes eight. Pairs that agree end it: a branch would save no
+// work on a processor that runs both sides, the end of a loop does. Places are computed, since such
+// a processor would fetch them from an array one by one.
 std::string soft_shadow() {
   return R"(
 uniform sampler2DShadow key_map;
@@ -52,24 +54,29 @@ uniform mat3 key_from_world;
 uniform vec3 key_per_metre;
 uniform float key_bias;
 uniform vec3 towards_key;
-uniform vec2 taps[16];
-uniform int taps_at_once;
+uniform mat2 spiral;
+uniform float filter_radius;
+uniform int pairs;
+uniform int pairs_to_be_sure;
+vec2 first_place() {
+  bool is_single = pairs_to_be_sure > 1;
+  ivec2 odd = ivec2(gl_FragCoord.xy) & 1;
+  vec2 place = odd.x == 1 && !is_single ? vec2(0.70710678) : vec2(1.0, 0.0);
+  return filter_radius * (odd.y == 1 && !is_single ? vec2(-place.y, place.x) : place);
+}
 float key_visibility(vec3 place, vec3 n) {
   vec2 slope = receiver_slope(key_from_world, n);
-  float bias = key_bias * (1.0 + abs(slope.x) + abs(slope.y));
-  bool is_supersampled = taps_at_once == 2;
-  int first = is_supersampled ? (int(gl_FragCoord.x) & 1) * 4 + (int(gl_FragCoord.y) & 1) * 8 : 0;
-  bool faces_away = dot(n, towards_key) <= 0.0;
-  int last = faces_away ? first : first + (is_supersampled ? 4 : 16);
+  place.z -= key_per_metre.z * key_bias * (1.0 + abs(slope.x) + abs(slope.y));
+  vec2 off = first_place();
+  int last = dot(n, towards_key) > 0.0 ? pairs : 0;
   float sum = 0.0;
   float count = 0.0;
-  for (int i = first; i < last; i += taps_at_once) {
-    for (int j = 0; j < taps_at_once; ++j) {
-      vec2 tap = taps[i + j];
-      sum += texture(key_map, place + key_per_metre * vec3(tap, dot(slope, tap) - bias));
-    }
-    count += float(taps_at_once);
-    if (sum == 0.0 || sum == count) break;
+  for (int i = 1; i <= last; ++i) {
+    vec3 step = key_per_metre * vec3(off, dot(slope, off));
+    sum += texture(key_map, place + step) + texture(key_map, place - step);
+    count += 2.0;
+    if (i >= pairs_to_be_sure && (sum == 0.0 || sum == count)) break;
+    off = spiral * off;
   }
   return sum / max(count, 1.0);
 }

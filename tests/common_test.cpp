@@ -47,7 +47,8 @@ ExactQuat integrated(const ConingMotion& motion, const Exact& time, int steps) {
 
 }  // namespace
 
-TEST_CASE("The attitude of a coning motion agrees with an integration in fifty digits", "[common]") {
+TEST_CASE("The attitude of a coning motion agrees with an integration in fifty digits",
+          "[common]") {
   tests::Random random(1);
   for (int i = 0; i < 3; ++i) {
     ConingMotion motion;
@@ -58,8 +59,7 @@ TEST_CASE("The attitude of a coning motion agrees with an integration in fifty d
     // Richardson's extrapolation of two runs of order 4 leaves order 5: (8 rad/s * 1 s / 800)^5.
     const ExactQuat coarse = integrated(motion, 1, 400);
     const ExactQuat fine = integrated(motion, 1, 800);
-    const Eigen::Matrix<Exact, 4, 1> exact =
-        fine.coeffs() + (fine.coeffs() - coarse.coeffs()) / 15;
+    const Eigen::Matrix<Exact, 4, 1> exact = fine.coeffs() + (fine.coeffs() - coarse.coeffs()) / 15;
     const Quat wanted(Eigen::Vector4d(exact.cast<double>()));
     INFO("rate " << motion.rate << ", error " << angle_between(attitude(motion, 1.0), wanted));
     CHECK(angle_between(attitude(motion, 1.0), wanted) <= 1e-11);

@@ -124,7 +124,7 @@ TEST_CASE("Pasting cuts off what lies outside", "[render_image]") {
   CHECK(target.rgb[std::size_t{3} * 4 * 3] == 9);
 }
 
-TEST_CASE("UTF-8 decodes, and broken bytes become one sign each", "[render_image]") {
+TEST_CASE("UTF-8 decodes and broken bytes become one sign each", "[render_image]") {
   CHECK(render::characters_of("aω₀𝜔") == U"aω₀𝜔");
   CHECK(render::characters_of("a\xFFz") == U"a\uFFFDz");
   CHECK(render::characters_of("\xCF") == U"\uFFFD");

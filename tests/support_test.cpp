@@ -12,8 +12,7 @@ TEST_CASE("Random inertias are those of bodies", "[support]") {
   Random random(1);
   for (int i = 0; i < 100; ++i) {
     const common::Mat3 inertia = random.inertia();
-    const common::Vec3 moments =
-        Eigen::SelfAdjointEigenSolver<common::Mat3>(inertia).eigenvalues();
+    const common::Vec3 moments = Eigen::SelfAdjointEigenSolver<common::Mat3>(inertia).eigenvalues();
     CHECK(inertia == inertia.transpose());
     CHECK(moments.x() > 0.0);
     CHECK(moments.x() + moments.y() > moments.z());

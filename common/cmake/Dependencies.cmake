@@ -17,9 +17,10 @@ find_package(Threads REQUIRED)
 # Glue of the tests: checks of the mistakes, of the command and of the architecture.
 find_package(Python3 3.9 REQUIRED COMPONENTS Interpreter)
 
-# PNG: stb writes the file, zlib packs it.
+# PNG: stb writes the file, ISA-L packs it.
 find_path(STB_INCLUDE_DIR stb_image_write.h PATH_SUFFIXES stb REQUIRED)
-find_package(ZLIB REQUIRED)
+find_path(ISAL_INCLUDE_DIR isa-l/igzip_lib.h REQUIRED)
+find_library(ISAL_LIBRARY isal REQUIRED)
 
 # Off-screen GL. Both libraries are opened at run time, so only their headers count here.
 find_path(GLCOREARB_INCLUDE_DIR GL/glcorearb.h)

@@ -111,6 +111,7 @@ render::Film make_film() {
   keep(tracked<Mat3>(
       {"Euler on R", {1.25, 0.0, 1.2}, {palette::orange, palette::vermilion}, {}}, Mat3::Identity(),
       0.0, [](const Mat3& R, const Vec3& w) { return step_matrix_euler(R, w, dt); }, film.missing));
+  if (tracks.empty()) return film;  // nothing to show: film_main says what is missing
   film.measured = measured(tracks);
   film.scene_at = [tracks](double time) {
     render::Scene scene;

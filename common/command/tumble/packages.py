@@ -29,7 +29,7 @@ PACKAGES = (
     Package("libboost-dev", "exact references of the tests"),
     Package("libbenchmark-dev", "timings of the charts"),
     Package("libstb-dev", "writes PNG pictures"),
-    Package("zlib1g-dev", "packs PNG pictures"),
+    Package("libisal-dev", "packs PNG pictures"),
     Package("libgl-dev", "header of OpenGL"),
     Package("libosmesa6-dev", "draws without a screen: OSMesa", optional=True),
     Package("libegl-dev", "header of EGL"),

@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "render/view.hpp"
+#include "render/draw/view.hpp"
 
 namespace render {
 namespace {

@@ -13,12 +13,12 @@
 
 #include "common/run_main.hpp"
 #include "render/atomic_file.hpp"
+#include "render/draw/view.hpp"
 #include "render/film_facts.hpp"
 #include "render/film_options.hpp"
 #include "render/film_strip.hpp"
 #include "render/renderer.hpp"
 #include "render/staged_folder.hpp"
-#include "render/view.hpp"
 
 namespace render {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "render/text.hpp"
+#include "render/text/text.hpp"
 
 namespace render {
 namespace {

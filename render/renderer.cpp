@@ -3,11 +3,11 @@
 #include <chrono>
 #include <stdexcept>
 
-#include "render/gl_context.hpp"
-#include "render/labels.hpp"
-#include "render/painter.hpp"
-#include "render/read_back.hpp"
-#include "render/scene_check.hpp"
+#include "render/draw/gl_context.hpp"
+#include "render/draw/labels.hpp"
+#include "render/draw/painter.hpp"
+#include "render/draw/read_back.hpp"
+#include "render/draw/scene_check.hpp"
 
 namespace render {
 namespace {

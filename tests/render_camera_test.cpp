@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "catch.hpp"
-#include "render/view.hpp"
+#include "render/draw/view.hpp"
 
 namespace {
 

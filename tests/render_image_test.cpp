@@ -8,7 +8,7 @@
 #include "render/atomic_file.hpp"
 #include "render/film_strip.hpp"
 #include "render/image.hpp"
-#include "render/text.hpp"
+#include "render/text/text.hpp"
 #include "render_picture.hpp"
 
 namespace {

@@ -5,9 +5,9 @@
 
 #include "catch.hpp"
 #include "render/camera.hpp"
+#include "render/draw/view.hpp"
 #include "render/renderer.hpp"
-#include "render/text.hpp"
-#include "render/view.hpp"
+#include "render/text/text.hpp"
 #include "render_gallery.hpp"
 #include "render_picture.hpp"
 

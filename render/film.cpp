@@ -124,7 +124,7 @@ void draw_strip(Renderer& renderer, const Film& film, const FilmOptions& options
   PictureOptions picture;
   picture.quality = Quality::report;
   picture.white = options.picture.white;
-  picture.height = 400;
+  picture.height = 330;
   const double aspect = tile_aspect(film);
   picture.width = static_cast<int>(std::lround(picture.height * aspect));
   const Camera camera = camera_framing(film.bounds, film.towards_eye, aspect);
@@ -133,7 +133,7 @@ void draw_strip(Renderer& renderer, const Film& film, const FilmOptions& options
     require(std::isfinite(time), "a time of the strip is not finite");
     tiles.push_back({renderer.picture(film.scene_at(time), camera, picture), time_stamp(time)});
   }
-  constexpr int widest = 2100;
+  constexpr int widest = 1760;
   const int columns = strip_columns(static_cast<int>(tiles.size()), picture.width, widest);
   const std::string left_out =
       film.missing.empty() ? "" : " (not written yet: " + listed(film.missing) + ")";

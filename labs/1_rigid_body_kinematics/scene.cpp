@@ -78,13 +78,13 @@ void add_box(render::Scene& scene, const Track& track, double time) {
 
 /// The foot of the strip: how far off each box is at the end.
 std::string measured(const std::vector<Track>& tracks) {
-  std::string text = "after 4 s";
+  std::string text;
   for (const Track& track : tracks) {
     const Mat3& R = track.world_from_body.back();
     const Mat3 exact = attitude(motion(), duration).toRotationMatrix();
     char line[128];
-    std::snprintf(line, sizeof line, ";  %s: %.2g rad off, |RᵀR − 1| = %.1g", track.name.c_str(),
-                  common::chordal_distance(R, exact),
+    std::snprintf(line, sizeof line, "%s%s after 4 s: %.2g rad off, |RᵀR − 1| = %.1g",
+                  text.empty() ? "" : ";  ", track.name.c_str(), common::chordal_distance(R, exact),
                   (R.transpose() * R - Mat3::Identity()).norm());
     text += line;
   }

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <iomanip>
 #include <iostream>
-#include <regex>
 #include <sstream>
 #include <stdexcept>
 
@@ -54,8 +53,9 @@ std::string frame_file(int frame) {
 }
 
 bool is_film_file(const std::string& name) {
-  static const std::regex frame("frame_[0-9]{4,}\\.png");
-  return name == "strip.png" || name == "film.json" || std::regex_match(name, frame);
+  if (name == "strip.png" || name == "film.json") return true;
+  int frame = 0;
+  return std::sscanf(name.c_str(), "frame_%d.png", &frame) == 1 && name == frame_file(frame);
 }
 
 std::string listed(const std::vector<std::string>& words) {

@@ -105,7 +105,7 @@ TEST_CASE("Long labels are never cut off at the edge", "[chart]") {
   int inked_labels = 0;
   for (int y = 0; y < height; ++y) {
     for (int x = width / 2; x < width; ++x) {
-      const stbi_uc* pixel = pixels + 3 * (y * width + x);
+      const stbi_uc* pixel = pixels + 3 * (static_cast<std::ptrdiff_t>(y) * width + x);
       const bool inked = pixel[0] < 200 && pixel[2] > 100;  // blue, as the label is
       if (inked) ++(x >= width - 8 ? inked_at_edge : inked_labels);
     }

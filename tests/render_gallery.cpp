@@ -7,7 +7,6 @@ namespace tests {
 namespace {
 
 using render::Mat3;
-using render::Paint;
 using render::Placement;
 using render::Scene;
 using render::Vec3;

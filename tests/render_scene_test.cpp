@@ -13,7 +13,6 @@
 
 namespace {
 
-using render::Bounds;
 using render::Camera;
 using render::Image;
 using render::Mat3;

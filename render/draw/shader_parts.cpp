@@ -1,6 +1,20 @@
 #include "render/draw/shader_parts.hpp"
 
 namespace render::shaders {
+namespace {
+
+// Where the key light is, and the depths that it sees.
+std::string key_light() {
+  return R"(
+uniform sampler2DShadow key_map;
+uniform mat3 key_from_world;
+uniform vec3 key_per_metre;
+uniform float key_bias;
+uniform vec3 towards_key;
+)";
+}
+
+}  // namespace
 
 std::string version() { return "#version 330 core\n"; }
 
@@ -48,12 +62,7 @@ vec2 receiver_slope(mat3 light_from_world, vec3 n) {
 // work on a processor that runs both sides, the end of a loop does. Places are computed, since such
 // a processor would fetch them from an array one by one.
 std::string soft_shadow() {
-  return R"(
-uniform sampler2DShadow key_map;
-uniform mat3 key_from_world;
-uniform vec3 key_per_metre;
-uniform float key_bias;
-uniform vec3 towards_key;
+  return key_light() + R"(
 uniform mat2 spiral;
 uniform float filter_radius;
 uniform int pairs;
@@ -84,12 +93,7 @@ float key_visibility(vec3 place, vec3 n) {
 }
 
 std::string sampled_shadow() {
-  return R"(
-uniform sampler2DShadow key_map;
-uniform mat3 key_from_world;
-uniform vec3 key_per_metre;
-uniform float key_bias;
-uniform vec3 towards_key;
+  return key_light() + R"(
 uniform sampler2DShadow sky_map;
 uniform mat3 sky_from_world;
 uniform vec3 sky_per_metre;

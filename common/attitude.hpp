@@ -4,6 +4,12 @@
 
 namespace common {
 
+/// The rotation by |a| about a / |a|, as lab 1 writes it: (cos |a|/2, sin |a|/2 · a/|a|); 0 gives
+/// the identity. Exact to a few ulp down to |a| = 1e-150, below which it is the identity.
+///
+/// rotation_vector  a [rad]
+Quat exponential_map(const Vec3& rotation_vector);
+
 /// Angle of the rotation that leads from one attitude to the other, in [0, π] [rad]. Exact to
 /// rounding for small angles too; q and −q are one attitude. Both unit.
 double angle_between(const Quat& a, const Quat& b);

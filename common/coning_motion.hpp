@@ -23,8 +23,6 @@ Vec3 angular_velocity(const ConingMotion& motion, double time);
 /// q(t), unit. Seen from axes that turn with ω, the body turns at the constant ω(0) − Ω a, so
 ///
 ///   q(t) = exp(a Ω t) exp((ω(0) − Ω a) t) q(0)
-///
-/// Built on Eigen's angle and axis, apart from what any lab writes.
 Quat attitude(const ConingMotion& motion, double time);
 
 }  // namespace common

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace common {
+
+/// A sum of doubles and of products of doubles without any rounding, read off correctly to an ulp:
+/// where a difference decides, as on which side of the separatrix a state lies, rounding must not.
+/// Shewchuk 1997, Discrete & Computational Geometry 18, "Grow-Expansion". Exact as long as no
+/// product of two parts falls below 1e-290: the parts do not overlap, so a double's range holds
+/// them.
+class ExactSum {
+ public:
+  void add(double term) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < size_; ++i) {
+      const double sum = term + parts_[i];
+      const double back = sum - term;
+      const double error = (term - (sum - back)) + (parts_[i] - back);
+      if (error != 0.0) parts_[kept++] = error;
+      term = sum;
+    }
+    if (term != 0.0) parts_[kept++] = term;
+    size_ = kept;
+  }
+
+  void add_product(double a, double b) {
+    const double product = a * b;
+    add(std::fma(a, b, -product));
+    add(product);
+  }
+
+  void add_product(const ExactSum& a, const ExactSum& b) {
+    for (std::size_t i = 0; i < a.size_; ++i) {
+      for (std::size_t j = 0; j < b.size_; ++j) add_product(a.parts_[i], b.parts_[j]);
+    }
+  }
+
+  [[nodiscard]] double value() const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < size_; ++i) sum += parts_[i];  // rising sizes, no overlap
+    return sum;
+  }
+
+ private:
+  std::array<double, 48> parts_{};
+  std::size_t size_ = 0;
+};
+
+}  // namespace common

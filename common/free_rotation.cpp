@@ -69,19 +69,10 @@ Spin FreeRotation::at(double time) const {
                     nodes_from_axes(polhode_, to);
   const Vec3 axes_velocity =
       polhode_.rates.cwiseProduct(polhode_.amplitudes.cwiseProduct(Vec3(to.cn, to.sn, to.dn)));
-  const auto [c, s, d] = polhode_.axes;
   Quat body_turn;
   body_turn.w() = turn.w();
-  Spin spin;
-  const auto in_body = [&](const Vec3& v, auto&& set) {
-    set(c, polhode_.sign_c * v.x());
-    set(s, v.y());
-    set(d, v.z());
-  };
-  in_body(turn.vec(), [&](int i, double x) { body_turn.vec()[i] = x; });
-  in_body(axes_velocity, [&](int i, double x) { spin.angular_velocity_body[i] = x; });
-  spin.world_from_body = (start_.world_from_body * body_turn).normalized();
-  return spin;
+  body_turn.vec() = in_body(polhode_, turn.vec());
+  return {(start_.world_from_body * body_turn).normalized(), in_body(polhode_, axes_velocity)};
 }
 
 double FreeRotation::period() const {

@@ -120,6 +120,21 @@ Polhode polhode(const Vec3& moments, const Vec3& angular_velocity) {
   return curve;
 }
 
+Vec3 in_body(const Polhode& polhode, const Vec3& of_axes) {
+  const auto [c, s, d] = polhode.axes;
+  Vec3 body;
+  body[c] = polhode.sign_c * of_axes.x();
+  body[s] = of_axes.y();
+  body[d] = of_axes.z();
+  return body;
+}
+
+Quat body_from_axes(const Polhode& polhode) {
+  Mat3 R;
+  for (int i = 0; i < 3; ++i) R.col(i) = in_body(polhode, Vec3::Unit(i));
+  return Quat(R);
+}
+
 PolhodeAdvance polhode_advance(const Polhode& polhode, double time) {
   const double m_1 = polhode.complementary_parameter;
   const double u = polhode.lambda * time;

@@ -34,6 +34,12 @@ struct Polhode {
 /// requires  moments as checked_moments lets pass; finite angular_velocity
 Polhode polhode(const Vec3& moments, const Vec3& angular_velocity);
 
+/// A vector of the axes (c, s, d) in the body frame.
+Vec3 in_body(const Polhode& polhode, const Vec3& of_axes);
+
+/// The same as a rotation.
+Quat body_from_axes(const Polhode& polhode);
+
 /// How far the motion gets along the polhode in a time, from u = 0.
 struct PolhodeAdvance {
   JacobiFunctions functions;  ///< at u = λ t

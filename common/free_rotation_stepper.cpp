@@ -1,0 +1,79 @@
+#include "common/free_rotation_stepper.hpp"
+
+#include <numbers>
+
+#include "common/attitude.hpp"
+
+namespace common {
+
+FreeRotationStepper::FreeRotationStepper(const FreeRotation& rotation, double dt)
+    : rotation_(rotation),
+      world_from_axes_(rotation.start().world_from_body * body_from_axes(rotation.polhode())) {
+  if (rotation_.polhode().steady) {
+    prepare_steady(dt);
+  } else {
+    prepare(dt);
+  }
+}
+
+void FreeRotationStepper::prepare_steady(double dt) {
+  const Quat axes_from_body = body_from_axes(rotation_.polhode()).conjugate();
+  const Vec3 velocity = axes_from_body * rotation_.start().angular_velocity_body;
+  k_ = exponential_map(velocity * dt);
+  // With k = 0 and no advance the functions stay (√½, √½, 1), and so does the step.
+  middle_ = {std::numbers::sqrt2 / 2.0, std::numbers::sqrt2 / 2.0, 1.0};
+  k_.x() *= std::numbers::sqrt2;
+  k_.y() *= std::numbers::sqrt2;
+}
+
+void FreeRotationStepper::prepare(double dt) {
+  const Polhode& curve = rotation_.polhode();
+  complementary_parameter_ = curve.complementary_parameter;
+  if (complementary_parameter_ == 0.0) smallest_cn_ = 0.0;
+  const Vec3& amplitudes = curve.amplitudes;
+  const JacobiFunctions& start = curve.start;
+  momentum_ = world_from_axes_ * amplitudes.cwiseProduct(Vec3(start.cn, start.sn, start.dn));
+
+  // The step from u = −v to v, whose middle is u = 0, gives k₀, k_c and k_d.
+  const PolhodeAdvance half = polhode_advance(curve, 0.5 * dt);
+  const auto& [S, C, D] = half.functions;
+  const double alpha = std::cos(half.precession);
+  const double beta = amplitudes.z() * D * std::sin(half.precession);
+  const double across = std::hypot(C, curve.ratio * S);
+  const double cosine = C / across;
+  const double sine = curve.ratio * S / across;
+  k_.w() = alpha * cosine + beta * sine;
+  k_.x() = amplitudes.x() * across * std::sin(half.precession);
+  k_.z() = beta * cosine - alpha * sine;
+  // k_s from the step between two neighbouring middles.
+  k_.y() = (k_.z() * amplitudes.y() * C + k_.w() * amplitudes.x() * S) / amplitudes.z();
+  middle_ = jacobi_functions_of_sum(start, half.functions, complementary_parameter_);
+
+  double u = curve.lambda * dt;
+  if (complementary_parameter_ == 0.0) {
+    u = std::clamp(u, -800.0, 800.0);  // sech has left the doubles
+  } else {
+    u = std::remainder(u, 4.0 * quarter_period(complementary_parameter_));
+  }
+  // Half the digits of cn are gone where e^u is 1e8; at 4, three.
+  parts_ = std::max(1, static_cast<int>(std::ceil(std::abs(u) / 4.0)));
+  by_ = polhode_advance(curve, u / parts_ / curve.lambda).functions;
+  by_cn_dn_ = by_.cn * by_.dn;
+  by_sn_dn_ = by_.sn * by_.dn;
+  by_dn_squared_ = by_.dn * by_.dn;
+}
+
+Spin FreeRotationStepper::spin() const {
+  const Polhode& curve = rotation_.polhode();
+  Spin spin;
+  const Quat world_from_axes = world_from_axes_.normalized();
+  spin.world_from_body = world_from_axes * body_from_axes(curve).conjugate();
+  spin.angular_velocity_body = rotation_.start().angular_velocity_body;
+  if (!curve.steady) {
+    const Vec3 momentum = world_from_axes.conjugate() * momentum_;
+    spin.angular_velocity_body = in_body(curve, curve.rates.cwiseProduct(momentum));
+  }
+  return spin;
+}
+
+}  // namespace common

@@ -57,10 +57,16 @@ void FreeRotationStepper::prepare(double dt) {
   }
   // Half the digits of cn are gone where e^u is 1e8; at 4, three.
   parts_ = std::max(1, static_cast<int>(std::ceil(std::abs(u) / 4.0)));
-  by_ = polhode_advance(curve, u / parts_ / curve.lambda).functions;
-  by_cn_dn_ = by_.cn * by_.dn;
-  by_sn_dn_ = by_.sn * by_.dn;
-  by_dn_squared_ = by_.dn * by_.dn;
+  const JacobiFunctions by = polhode_advance(curve, u / parts_ / curve.lambda).functions;
+  const double k_squared = 1.0 - complementary_parameter_;
+  const double square = by.sn * by.sn;
+  by_sn_ = by.sn;
+  by_sn_dn_ = by.sn * by.dn;
+  by_dn_squared_ = by.dn * by.dn;
+  whole_ = std::abs(u / parts_) < 1.0 ? 1.0 : 0.0;
+  cosine_loss_ = whole_ == 1.0 ? square / (1.0 + by.cn) : -by.cn;
+  sine_loss_ =
+      whole_ == 1.0 ? cosine_loss_ + by.cn * k_squared * square / (1.0 + by.dn) : -by.cn * by.dn;
 }
 
 Spin FreeRotationStepper::spin() const {

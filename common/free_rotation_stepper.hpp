@@ -39,8 +39,9 @@ class FreeRotationStepper {
   /// sn² + cn² = 1 by one step of Newton's method on the length, dn from sn and cn.
   void advance_middle() {
     const auto& [s, c, d] = middle_;
-    const double sine = s * by_cn_dn_ + by_.sn * (c * d);
-    const double cosine = std::max(smallest_cn_, c * by_.cn - s * (by_sn_dn_ * d));
+    const double sine = s * whole_ + (by_sn_ * (c * d) - s * sine_loss_);
+    const double cosine =
+        std::max(smallest_cn_, c * whole_ - (c * cosine_loss_ + s * (by_sn_dn_ * d)));
     const double inverse = 1.0 / (c * c + s * s * by_dn_squared_);  // 1 − k² sn² sn²
     const double cosine_squared = cosine * cosine;
     const double sine_squared = sine * sine;
@@ -52,14 +53,18 @@ class FreeRotationStepper {
   }
 
   FreeRotation rotation_;
-  Quat world_from_axes_;    // of the polhode's axes (c, s, d)
-  Vec3 momentum_;           // world, over its length
-  JacobiFunctions middle_;  // of the step to come
-  Quat k_;                  // (k₀, k_c, k_s, k_d)
-  JacobiFunctions by_;      // of λ dt / parts
+  Quat world_from_axes_;          // of the polhode's axes (c, s, d)
+  Vec3 momentum_ = Vec3::Zero();  // world, over its length
+  JacobiFunctions middle_;        // of the step to come
+  Quat k_;                        // (k₀, k_c, k_s, k_d)
   int parts_ = 1;
-  int steps_ = 0;
-  double by_cn_dn_ = 1.0;
+  unsigned steps_ = 0;
+  // Of λ dt / parts. In short steps what is near 1 is kept as its distance from 1: its rounding,
+  // the same in each step, would add up.
+  double by_sn_ = 0.0;
+  double whole_ = 1.0;        // 1 in short steps, else 0
+  double sine_loss_ = 0.0;    // whole − cn dn
+  double cosine_loss_ = 0.0;  // whole − cn
   double by_dn_squared_ = 1.0;
   double by_sn_dn_ = 0.0;
   double complementary_parameter_ = 1.0;

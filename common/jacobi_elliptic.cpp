@@ -60,6 +60,13 @@ double quarter_period(double complementary_parameter) {
   return std::numbers::pi / (a + b);
 }
 
+ReducedArgument reduced_argument(double u, double complementary_parameter) {
+  if (complementary_parameter == 0.0) return {u, 0.0};
+  const double half_period = 2.0 * quarter_period(complementary_parameter);
+  const double half_turns = std::round(u / half_period);
+  return {u - half_turns * half_period, half_turns};
+}
+
 JacobiFunctions jacobi_functions_of_sum(const JacobiFunctions& of_u, const JacobiFunctions& of_v,
                                         double complementary_parameter) {
   const auto& [s, c, d] = of_u;

@@ -21,6 +21,19 @@ JacobiFunctions jacobi_functions(double u, double complementary_parameter);
 /// The quarter period K(k) = π / (2 agm(1, k')); infinite for k' = 0.
 double quarter_period(double complementary_parameter);
 
+/// sn K, cn K and dn K.
+inline JacobiFunctions functions_at_quarter_period(double complementary_parameter) {
+  return {1.0, 0.0, std::sqrt(complementary_parameter)};
+}
+
+/// u = within + 2 K half_turns, with |within| ≤ K: sn and cn have the sign (−1)^half_turns there.
+struct ReducedArgument {
+  double within = 0.0;
+  double half_turns = 0.0;
+};
+
+ReducedArgument reduced_argument(double u, double complementary_parameter);
+
 /// The functions of the sum u + v, by the addition theorem (DLMF 22.8.1 to 22.8.3), put back on
 /// sn² + cn² = 1 and dn² = cn² + k'² sn². With k' = 0 both cn must be above zero, as sech is.
 JacobiFunctions jacobi_functions_of_sum(const JacobiFunctions& of_u, const JacobiFunctions& of_v,

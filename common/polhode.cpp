@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "common/carlson.hpp"
+#include "common/elliptic_integrals.hpp"
 #include "common/exact_sum.hpp"
 
 namespace common {
@@ -42,25 +42,6 @@ int exponent(const Vec3& v) {
   int e = 0;
   std::frexp(v.cwiseAbs().maxCoeff(), &e);
   return e;
-}
-
-/// ∫₀^u cn² / (cn² + r sn²), r = 1 + excess, within a quarter period. Carlson's connection formula
-/// (DLMF 19.21.12) has taken it from the integral of sn², from which it would cancel.
-double slow_integral(const JacobiFunctions& at, double excess, double complementary_parameter) {
-  const double r = 1.0 + excess;
-  const double s = std::abs(at.sn);
-  if (complementary_parameter == 0.0) {
-    const double root = std::sqrt(excess);
-    return root == 0.0 ? at.sn : std::atan(root * at.sn) / root;
-  }
-  const double x = at.cn * at.cn;
-  const double y = at.dn * at.dn;
-  const double p = x + r * s * s;
-  const double q = x + complementary_parameter * s * s / r;
-  const double integral =
-      complementary_parameter / r * (s * s * s / 3.0) * carlson_rj(x, y, 1.0, q) +
-      s * std::abs(at.cn) * carlson_rc(y, p * q);
-  return std::copysign(integral, at.sn);
 }
 
 }  // namespace
@@ -137,19 +118,12 @@ Quat body_from_axes(const Polhode& polhode) {
 
 PolhodeAdvance polhode_advance(const Polhode& polhode, double time) {
   const double m_1 = polhode.complementary_parameter;
-  const double u = polhode.lambda * time;
-  double half_turns = 0.0;
-  double within = u;
-  if (m_1 != 0.0) {
-    const double half_period = 2.0 * quarter_period(m_1);
-    half_turns = std::round(u / half_period);
-    within = u - half_turns * half_period;
-  }
+  const auto [within, half_turns] = reduced_argument(polhode.lambda * time, m_1);
+  const double r = 1.0 + polhode.excess;
   PolhodeAdvance advance{jacobi_functions(within, m_1), 0.0};
-  double slow = slow_integral(advance.functions, polhode.excess, m_1);
+  double slow = cosine_share(advance.functions, r, m_1);
   if (half_turns != 0.0) {
-    const JacobiFunctions quarter{1.0, 0.0, std::sqrt(m_1)};
-    slow += 2.0 * half_turns * slow_integral(quarter, polhode.excess, m_1);
+    slow += 2.0 * half_turns * cosine_share(functions_at_quarter_period(m_1), r, m_1);
     if (std::fmod(half_turns, 2.0) != 0.0) {
       advance.functions.sn *= -1.0;
       advance.functions.cn *= -1.0;

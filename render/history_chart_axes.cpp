@@ -12,6 +12,7 @@ namespace {
 constexpr double reaches_the_end = 0.985;  // of the time axis; sampling may stop a little short
 constexpr double room = 0.06;              // above and below the values, in heights of the panel
 constexpr double least_span = 0.01;        // of the values' size: a constant is drawn as constant
+constexpr double least_intervals = 3.0;    // between tics
 constexpr std::size_t stretches = 1000;    // a panel is about 1000 pixels wide
 
 Interval with_room(double low, double high) {
@@ -24,6 +25,15 @@ Interval with_room(double low, double high) {
 
 }  // namespace
 
+double tic_step(const Interval& axis) {
+  const double most = (axis.high - axis.low) / least_intervals;
+  const double power = std::pow(10.0, std::floor(std::log10(most)));
+  for (const double factor : {5.0, 2.0}) {
+    if (factor * power <= most) return factor * power;
+  }
+  return power;
+}
+
 Interval time_axis(const HistoryChart& chart) {
   Interval time{std::numeric_limits<double>::infinity(), 0.0};
   for (const HistoryPanel& panel : chart.panels) {
@@ -33,8 +43,12 @@ Interval time_axis(const HistoryChart& chart) {
       time.high = std::max(time.high, curve.times.back());
     }
   }
-  if (time.high > time.low) return time;
-  return {0.0, 1.0};
+  if (!(time.high > time.low)) return {0.0, 1.0};
+  const double step = tic_step(time);
+  const double near = (1.0 - reaches_the_end) * (time.high - time.low);
+  const double first = step * std::floor(time.low / step);
+  const double last = step * std::ceil(time.high / step);
+  return {time.low - first < near ? first : time.low, last - time.high < near ? last : time.high};
 }
 
 Interval value_axis(const HistoryPanel& panel) {
@@ -68,7 +82,8 @@ double height_on(const HistoryPanel& panel, const Interval& axis, double value) 
 
 bool ends_early(const HistoryCurve& curve, const Interval& time) {
   if (curve.times.empty()) return false;
-  return curve.times.back() < time.low + reaches_the_end * (time.high - time.low);
+  return !curve.end.empty() ||
+         curve.times.back() < time.low + reaches_the_end * (time.high - time.low);
 }
 
 Moment visible_end(const HistoryCurve& curve, const Interval& axis) {

@@ -18,7 +18,10 @@ struct Moment {
   double value = 0.0;
 };
 
-/// From the first to the last time of any curve.
+/// The greatest of 1, 2 and 5 times a power of ten that parts the interval at least three times.
+double tic_step(const Interval& axis);
+
+/// From the first to the last time of any curve, and on to a tic that is near.
 Interval time_axis(const HistoryChart& chart);
 
 /// The panel's own limits, or those that hold every value with a little room: whole decades where
@@ -28,7 +31,7 @@ Interval value_axis(const HistoryPanel& panel);
 /// Where a value stands on its axis: 0 at the foot, 1 at the head, no further.
 double height_on(const HistoryPanel& panel, const Interval& axis, double value);
 
-/// Whether the curve stops before the others do.
+/// Whether the curve says why it ends, or stops before the others do.
 bool ends_early(const HistoryCurve& curve, const Interval& time);
 
 /// Where it is seen last: its last point, or the last before it left the axis for good.

@@ -11,7 +11,7 @@ namespace render {
 namespace {
 
 // In units of a Sheet.
-constexpr double heading_height = 27.0;
+constexpr double heading_height = 31.0;
 constexpr double gap_height = 20.0;  // between a panel and the heading of the next
 constexpr double least_panel_height = 200.0;
 constexpr double most_decades_marked = 6.0;
@@ -83,7 +83,9 @@ std::string data_block(const std::string& name, const HistoryCurve& curve,
 }
 
 std::string value_tics(const HistoryPanel& panel, const Interval& axis) {
-  if (!panel.logarithmic) return "unset logscale y\nset format y '%g'\nset ytics autofreq\n";
+  if (!panel.logarithmic) {
+    return formatted("unset logscale y\nset format y '%%g'\nset ytics %g\n", tic_step(axis));
+  }
   const double step = std::ceil(std::log10(axis.high / axis.low) / most_decades_marked);
   return formatted("set logscale y\nset format y '10^{%%T}'\nset ytics %g\n",
                    std::pow(10.0, std::max(1.0, step)));
@@ -106,7 +108,7 @@ std::string frame(const HistoryChart& shown, const Sheet& sheet, std::size_t ind
   }
   const std::string unit = panel.unit.empty() ? "" : " [" + panel.unit + "]";
   return s + "set label 900 " + gnuplot_text(panel.quantity + unit) +
-         " at graph 0, graph 1 offset 0,0.75 noenhanced tc rgb '#282c34'\n";
+         " at graph 0, graph 1 offset 0,0.85 noenhanced tc rgb '#282c34'\n";
 }
 
 /// Labels in the margin; a thin line leads to the end of a curve, a cross stands where it stops

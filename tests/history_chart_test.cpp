@@ -104,6 +104,9 @@ TEST_CASE("The CSV has a row a moment and one a quantity that is not written", "
 TEST_CASE("The script says what ends early and what is not written", "[history]") {
   const std::string script = history_script(sample());
   CHECK(script.find("short: blew up at 4 s") != std::string::npos);
+  HistoryChart alone = sample();
+  for (HistoryPanel& panel : alone.panels) panel.curves.erase(panel.curves.begin());
+  CHECK(history_script(alone).find("short: blew up at 4 s") != std::string::npos);
   CHECK(script.find("'lasting } on'") != std::string::npos);
   CHECK(script.find("not written yet: 9.3 unwritten") != std::string::npos);
 }
@@ -184,6 +187,18 @@ TEST_CASE("Thinning keeps the peaks and the ends", "[history]") {
   CHECK(std::any_of(kept.begin(), kept.end(), [](const Moment& m) { return m.value == 7.0; }));
   CHECK(std::is_sorted(kept.begin(), kept.end(),
                        [](const Moment& a, const Moment& b) { return a.time < b.time; }));
+}
+
+TEST_CASE("The time axis goes on to a tic that is near", "[history]") {
+  HistoryChart chart = sample();
+  chart.panels.resize(1);
+  chart.panels[0].curves.resize(1);
+  chart.panels[0].curves[0].times = {1.0 / 60.0, 599.5};
+  CHECK(time_axis(chart).low == 0.0);
+  CHECK(time_axis(chart).high == 600.0);
+  chart.panels[0].curves[0].times = {17.0, 533.0};
+  CHECK(time_axis(chart).low == 17.0);
+  CHECK(time_axis(chart).high == 533.0);
 }
 
 TEST_CASE("Labels keep their distance and stay near", "[history]") {

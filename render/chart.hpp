@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -26,10 +25,12 @@ struct ChartSeries {
   Colour colour = palette::ink;
   std::vector<ChartPoint> points;  ///< in the order of the parameter; none where not written yet
   std::string missing;             ///< the step that is not written yet, or empty
+  bool is_peer = false;            ///< another's code: drawn dashed and in greys, without `colour`
 };
 
 /// Error against time, log-log: what a lab's methods cost and what they are worth.
 struct Chart {
+  std::string name = "chart";   ///< of its files, without their endings: a to z, digits, _
   std::string lab;              ///< folder name of the lab, as in the CSV's first column
   std::string title;            ///< as in "Attitude of a coning body"
   std::string subtitle;         ///< what is done, and what to read off
@@ -47,14 +48,7 @@ struct Chart {
 /// written yet has one row, without numbers.
 std::string chart_csv(const Chart& chart);
 
-/// A gnuplot script that draws chart.csv of its folder as chart.svg and chart.png. Labels stand in
-/// a right margin that is as wide as the longest of them, so none is cut off and none hides
-/// another.
+/// A gnuplot script that draws NAME.csv of its folder as NAME.svg and NAME.png.
 std::string chart_script(const Chart& chart);
-
-/// Writes chart.csv and chart.gp and, where gnuplot is installed, chart.svg and chart.png into
-/// `folder`, which appears whole or not at all. Returns whether pictures were drawn.
-/// Throws std::runtime_error that names the folder, or says what gnuplot said.
-bool write_chart(const Chart& chart, const std::filesystem::path& folder);
 
 }  // namespace render

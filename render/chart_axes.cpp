@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "render/label_layout.hpp"
 
 namespace render {
 namespace {
 
-constexpr double text_height = 0.058;  // of a label in the margin, in heights of the plot
+constexpr double words_height = 0.058;  // in heights of the plot
 
 void add(Range& range, double value) {
   if (!(value > 0.0) || !std::isfinite(value)) return;
@@ -15,12 +16,17 @@ void add(Range& range, double value) {
   range.high = std::max(range.high, value);
 }
 
-/// Widened to whole decades; one decade where nothing was added.
-Range decades(const Range& range) {
-  if (range.low > range.high) return {0.1, 1.0};
-  const double low = std::floor(std::log10(range.low));
-  const double high = std::max(low + 1.0, std::ceil(std::log10(range.high)));
-  return {std::pow(10.0, low), std::pow(10.0, high)};
+/// Words stand above the failure's line and below the rounding floor's, inside the frame.
+void make_room_for_words(const Chart& chart, Range& error) {
+  const auto is_tight = [&](double from, double to) {
+    return std::log(to / from) < words_height * std::log(error.high / error.low);
+  };
+  if (chart.failure_error > 0.0) {
+    while (is_tight(chart.failure_error, error.high)) error.high *= 10.0;
+  }
+  if (chart.rounding_floor > error.low) {
+    while (is_tight(error.low, chart.rounding_floor)) error.low *= 0.1;
+  }
 }
 
 double graph_height(const Axes& axes, double error) {
@@ -29,6 +35,13 @@ double graph_height(const Axes& axes, double error) {
 }
 
 }  // namespace
+
+Range decades(const Range& range) {
+  if (range.low > range.high) return {0.1, 1.0};
+  const double low = std::floor(std::log10(range.low));
+  const double high = std::max(low + 1.0, std::ceil(std::log10(range.high)));
+  return {std::pow(10.0, low), std::pow(10.0, high)};
+}
 
 Axes chart_axes(const Chart& chart) {
   Axes axes;
@@ -45,32 +58,16 @@ Axes chart_axes(const Chart& chart) {
   // line of text under them says how far.
   const bool near = chart.rounding_floor > axes.error.low * 1e-3;
   axes.error.low = near ? 0.1 * chart.rounding_floor : 0.1 * axes.error.low;
+  make_room_for_words(chart, axes.error);
   return axes;
 }
 
-std::vector<double> label_heights(const Chart& chart, const Axes& axes) {
-  const std::size_t count = chart.series.size();
-  std::vector<double> heights(count, 0.0);
-  std::vector<std::size_t> order(count);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!chart.series[i].points.empty()) {
-      heights[i] = graph_height(axes, chart.series[i].points.back().error);
-    }
+std::vector<double> label_heights(const Chart& chart, const Axes& axes, double gap) {
+  std::vector<double> heights;
+  for (const ChartSeries& series : chart.series) {
+    heights.push_back(series.points.empty() ? 0.0 : graph_height(axes, series.points.back().error));
   }
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return heights[a] < heights[b]; });
-  double lowest = 0.02;
-  for (const std::size_t i : order) {
-    heights[i] = std::max(heights[i], lowest);
-    lowest = heights[i] + text_height;
-  }
-  double highest = 0.99;  // and down again where they were pushed out at the top
-  for (auto i = order.rbegin(); i != order.rend(); ++i) {
-    heights[*i] = std::min(heights[*i], highest);
-    highest = heights[*i] - text_height;
-  }
-  return heights;
+  return spread(heights, gap);
 }
 
 }  // namespace render

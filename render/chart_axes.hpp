@@ -22,8 +22,11 @@ struct Axes {
 /// count: it stands at the top edge.
 Axes chart_axes(const Chart& chart);
 
+/// Widened to whole decades; one decade where nothing was added.
+Range decades(const Range& range);
+
 /// Where the labels stand in the margin, in heights of the plot from its foot: beside the last
-/// points, pushed apart to a text's height.
-std::vector<double> label_heights(const Chart& chart, const Axes& axes);
+/// points, pushed apart to `gap`.
+std::vector<double> label_heights(const Chart& chart, const Axes& axes, double gap);
 
 }  // namespace render

@@ -4,9 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <iostream>
+#include <ctime>
 #include <map>
-#include <stdexcept>
 
 #include "common/not_implemented.hpp"
 
@@ -14,6 +13,8 @@ namespace render {
 namespace {
 
 constexpr int repeats = 7;
+constexpr int repeats_of_long_runs = 3;
+constexpr double long_run = 0.3;         // [s]; it averages the machine's noise by itself
 constexpr double least_seconds = 0.004;  // of one repeat; short ones interleave more finely
 
 /// Collects the time of every repeat, by the benchmark's name.
@@ -43,7 +44,7 @@ std::string name_of(std::size_t series, std::size_t point) {
 }
 
 ChartSeries judged(const Method& method) {
-  ChartSeries series{method.name, method.order, method.colour, {}, ""};
+  ChartSeries series{method.name, method.order, method.colour, {}, "", method.is_peer};
   try {
     for (const double parameter : method.parameters) {
       const Judgement judgement = method.judge(parameter);
@@ -55,6 +56,27 @@ ChartSeries judged(const Method& method) {
     series.missing = error.step_and_function();
   }
   return series;
+}
+
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// One untimed run tells how many repeats are wanted.
+int repeats_of(const Method& method, double parameter) {
+  if (method.prepare) method.prepare(parameter);
+  const double start = processor_seconds();
+  method.run(parameter);
+  return processor_seconds() - start < long_run ? repeats : repeats_of_long_runs;
+}
+
+void register_benchmark(const std::string& name, const Method& method, double parameter) {
+  benchmark::RegisterBenchmark(name.c_str(),
+                               [&method, parameter](benchmark::State& state) {
+                                 if (method.prepare) method.prepare(parameter);
+                                 for ([[maybe_unused]] auto turn : state) method.run(parameter);
+                               })
+      ->Repetitions(repeats_of(method, parameter))
+      ->MinTime(least_seconds)
+      ->Unit(benchmark::kSecond);
 }
 
 /// Google Benchmark takes its settings as a command line.
@@ -73,14 +95,7 @@ std::vector<ChartSeries> measured(const std::vector<Method>& methods) {
   for (const Method& method : methods) {
     all.push_back(judged(method));
     for (std::size_t p = 0; p < all.back().points.size(); ++p) {
-      const double parameter = method.parameters[p];
-      benchmark::RegisterBenchmark(name_of(all.size() - 1, p).c_str(),
-                                   [&method, parameter](benchmark::State& state) {
-                                     for ([[maybe_unused]] auto turn : state) method.run(parameter);
-                                   })
-          ->Repetitions(repeats)
-          ->MinTime(least_seconds)
-          ->Unit(benchmark::kSecond);
+      register_benchmark(name_of(all.size() - 1, p), method, method.parameters[p]);
     }
   }
   Collector collector;
@@ -94,31 +109,6 @@ std::vector<ChartSeries> measured(const std::vector<Method>& methods) {
   }
   benchmark::ClearRegisteredBenchmarks();
   return all;
-}
-
-int chart_main(int argc, char** argv, Chart chart, const std::vector<Method>& methods) {
-  try {
-    if (argc != 3 || std::string(argv[1]) != "--out") {
-      throw std::runtime_error(std::string("usage: ") + argv[0] + " --out DIR");
-    }
-    chart.series = measured(methods);
-    bool any = false;
-    for (const ChartSeries& series : chart.series) {
-      any = any || !series.points.empty();
-      if (!series.missing.empty()) {
-        std::cerr << "left out: " << series.method << " (" << series.missing
-                  << " is not written yet)\n";
-      }
-    }
-    if (!any) throw std::runtime_error("nothing to draw: none of the lab's methods is written yet");
-    if (!write_chart(chart, argv[2])) {
-      std::cerr << "no pictures: gnuplot is not installed (chart.csv and chart.gp are written)\n";
-    }
-    return 0;
-  } catch (const std::exception& error) {
-    std::cerr << "error: " << error.what() << '\n';
-    return 1;
-  }
 }
 
 }  // namespace render

@@ -24,16 +24,14 @@ struct Method {
   std::function<Judgement(double parameter)> judge;  ///< runs it against the exact reference
   std::function<void(double parameter)> run;         ///< does `units` units of work: this is timed
   double units = 1.0;
+  /// Called before a batch of runs, untimed; may be empty.
+  std::function<void(double parameter)> prepare = nullptr;
+  bool is_peer = false;  ///< another's code, see ChartSeries
 };
 
 /// Judges every method at every parameter, then times all of them by Google Benchmark in random
 /// order, several repeats each, and takes the median. A method that throws common::NotImplemented
 /// becomes a series without points that names the step.
 std::vector<ChartSeries> measured(const std::vector<Method>& methods);
-
-/// The body of every chart program:  --out DIR. `make_chart` gives the words, `methods` the series.
-/// Whatever is wrong becomes one line on stderr and a non-zero exit code; methods that are left out
-/// since they are not written yet are named, and where none is written nothing is drawn.
-int chart_main(int argc, char** argv, Chart chart, const std::vector<Method>& methods);
 
 }  // namespace render

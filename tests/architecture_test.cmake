@@ -2,9 +2,15 @@
 # Run: cmake -D root=<project> -P architecture_test.cmake
 set(failures "")
 
-# forbid(<glob> <include regex>...): no such file may include what fits.
-function(forbid glob)
-  file(GLOB_RECURSE files "${root}/${glob}/*.hpp" "${root}/${glob}/*.cpp")
+# forbid(<folder> <include regex>...): no file below it may include what fits.
+function(forbid folder)
+  file(GLOB_RECURSE files "${root}/${folder}/*.hpp" "${root}/${folder}/*.cpp")
+  forbid_in("${files}" ${ARGN})
+  set(failures "${failures}" PARENT_SCOPE)
+endfunction()
+
+# forbid_in(<files> <include regex>...)
+function(forbid_in files)
   foreach(file IN LISTS files)
     foreach(pattern IN LISTS ARGN)
       file(STRINGS "${file}" hits REGEX "^[ \t]*#[ \t]*include[ \t]+[<\"]${pattern}")
@@ -35,6 +41,15 @@ forbid(render "labs/" "solutions/" "tests/" "catch")
 forbid(solutions "render/" "labs/" "solutions/" "tests/" "GL/" "catch" "boost/")
 forbid(labs "labs/" "solutions/" "tests/" "GL/" "EGL/" "stb" "catch" "boost/" "benchmark/" "[.][.]/")
 forbid(tests "labs/" "solutions/")
+
+# Other engines stay behind the labs' peers.hpp.
+set(engines "bt[A-Z]" "bullet/" "Bullet" "LinearMath/" "ode/")
+foreach(folder IN ITEMS common render solutions tests)
+  forbid(${folder} ${engines})
+endforeach()
+file(GLOB_RECURSE files "${root}/labs/*.hpp" "${root}/labs/*.cpp")
+list(FILTER files EXCLUDE REGEX "/peers[a-z_]*[.]cpp$")
+forbid_in("${files}" ${engines})
 
 # An answer that draws could not be graded where no graphics is installed.
 file(GLOB labs RELATIVE "${root}/labs" "${root}/labs/[0-9]*_*")

@@ -10,6 +10,7 @@
 #include "catch.hpp"
 #include "common/not_implemented.hpp"
 #include "render/chart.hpp"
+#include "render/chart_folder.hpp"
 #include "render/measure.hpp"
 
 namespace fs = std::filesystem;
@@ -52,6 +53,10 @@ Chart sample() {
   }
   chart.series = {good, bad, {"unwritten", 4.0, palette::green, {}, "9.3 unwritten"}};
   return chart;
+}
+
+bool write_chart(const Chart& chart, const fs::path& folder) {
+  return write_charts({{chart}, {}}, folder);
 }
 
 /// What `call` throws, or nothing.

@@ -9,7 +9,8 @@
 #   mistakes/nan.cpp   returns NaN everywhere: every test fails
 #   mistakes.cmake     the bank of mistakes where TUMBLE_MISTAKES, see add_mutant
 # CTest names are <N>_<name>/<answer>/<step>/<case>; labels student, stub, right, nan, mistake.
-# A hand-out may ship without the solutions folder.
+# A hand-out may ship without the solutions folder. Where a lab has peers.cpp, its chart can be drawn
+# against other engines: <name>_peers is that file and peers_<engine>.cpp of each that is installed.
 function(add_lab name)
   cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME folder)
   set(solutions "${PROJECT_SOURCE_DIR}/solutions/${folder}")
@@ -22,7 +23,12 @@ function(add_lab name)
   _read_cases(cases ${test_sources})
   _add_program(${name}_test "${test_sources}" test_support)
   _add_program(${name}_scene scene.cpp render_scene)
-  _add_program(${name}_chart chart.cpp render_chart)
+  if(EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/peers.cpp")
+    _add_peers()
+    _add_program(${name}_chart chart.cpp render_chart ${name}_peers)
+  else()
+    _add_program(${name}_chart chart.cpp render_chart)
+  endif()
 
   _add_answer(student "${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp" answer_flags PICTURES)
   _add_cases(student student)
@@ -94,6 +100,15 @@ function(_add_program program sources)
   endforeach()
   add_library(${program} OBJECT ${sources})
   target_link_libraries(${program} PUBLIC ${name}_contract PRIVATE project_flags PUBLIC ${ARGN})
+endfunction()
+
+# An engine that is not installed costs its own file only.
+function(_add_peers)
+  list(TRANSFORM peers REPLACE "(.+)" "peers_\\1.cpp" OUTPUT_VARIABLE sources)
+  list(TRANSFORM peers PREPEND peer_ OUTPUT_VARIABLE engines)
+  add_library(${name}_peers STATIC peers.cpp ${sources})
+  target_include_directories(${name}_peers PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}")
+  target_link_libraries(${name}_peers PUBLIC common PRIVATE project_flags ${engines})
 endfunction()
 
 # _add_answer(<answer> <source> <flags> [PICTURES]): an implementation and the programs linked with it.

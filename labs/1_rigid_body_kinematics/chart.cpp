@@ -7,7 +7,7 @@
 
 #include "common/attitude.hpp"
 #include "common/coning_motion.hpp"
-#include "render/measure.hpp"
+#include "render/chart_program.hpp"
 #include "rigid_body_kinematics.hpp"
 
 using namespace lab::rigid_body_kinematics;
@@ -117,5 +117,5 @@ int main(int argc, char** argv) {
   chart.failure_error = no_attitude_is_further;
   chart.failure_text = "beyond 2 no rotation can be: R is none any more";
   chart.rounding_floor = 2.2e-16;
-  return render::chart_main(argc, argv, chart, methods());
+  return render::chart_main(argc, argv, {{{chart, methods()}}, {}, {}});
 }

@@ -87,6 +87,27 @@ class Page(KitTestCase):
                       "./tumble frames 1 --solution", "./tumble chart 1 --solution"):
             self.assertIn(words, reader.text)
 
+    def test_all_charts_of_a_program_are_shown_in_its_order(self) -> None:
+        for variant in ("student", "reference"):
+            folder = f"out/{LAB}/{variant}/chart"
+            self.kit.write(f"{folder}/charts.txt", "tumble\tA tumble\n" f"racket\t{NASTY}\n"
+                           "ten_minutes\tTen minutes\nabsent\tAbsent\n../film/x\tAway\nnaked\n")
+            for name in ("tumble", "racket", "ten_minutes", "naked"):
+                self.kit.write(f"{folder}/{name}.png", "")
+            self.kit.write(f"{folder}/ten_minutes.csv", (
+                "lab,method,quantity,time,value,unit\n"
+                "1,explicit,energy,0,1,J\n1,implicit,energy,,,J\n1,implicit,|L|,,,J\n"))
+        reader = self.read()
+        drawn = dict.fromkeys(file for file in reader.files if file.endswith(".png"))
+        self.assertEqual(list(drawn), [
+            f"{LAB}/{variant}/chart/{name}.png"
+            for name in ("tumble", "racket", "ten_minutes", "naked")
+            for variant in ("student", "reference")])
+        self.assertEqual(reader.tags.count("h4"), 4)
+        self.assertEqual(reader.tags.count("script"), 1)
+        self.assertEqual(reader.text.count("not written yet: implicit"), 2)
+        self.assertEqual(reader.text.count("./tumble chart 1"), 2)
+
     def test_a_broken_film_json_costs_only_the_words(self) -> None:
         for told in ("", "{", "[]", '{"fps": 0, "from": -1, "missing": 3, "title": 7}',
                      '{"fps": 1e999}'):

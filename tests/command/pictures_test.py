@@ -53,6 +53,24 @@ class Pictures(KitTestCase):
         done = self.kit.tumble("frames", "1")
         self.assertEqual((done.returncode, done.stderr), (1, "error: no GL\n"))
 
+    def test_peers_are_looked_for_again_and_passed_on(self) -> None:
+        self.assertEqual(self.kit.tumble("chart", "1").returncode, 0)
+        done = self.kit.tumble("chart", "1", "--peers")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        folder = self.kit.root / "out" / LAB / "student" / "chart"
+        self.assertEqual(self.kit.calls("program"), [f"--out {folder}", f"--out {folder} --peers"])
+        configured = [call for call in self.kit.calls("cmake") if call.startswith("--preset")]
+        self.assertEqual(len(configured), 2)
+        page = (self.kit.root / "out" / "index.html").read_text(encoding="utf-8")
+        self.assertIn("./tumble chart 1 --peers", page)
+        self.assert_one_line(self.kit.tumble("frames", "1", "--peers"), 2)
+
+    def test_demo_never_asks_for_peers(self) -> None:
+        self.kit.write("fake/targets", "spin_reference_scene: phony\nspin_reference_chart: phony\n")
+        self.assertEqual(self.kit.tumble("demo").returncode, 0)
+        self.assertNotIn("--peers", " ".join(self.kit.calls("program")))
+        self.assertNotIn("bullet", " ".join(self.kit.calls("dpkg-query")))
+
     def test_a_crash_is_said(self) -> None:
         self.add_program("spin_student_scene", "kill -SEGV $$\n")
         self.assert_one_line(self.kit.tumble("frames", "1"), 1)

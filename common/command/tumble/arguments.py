@@ -76,7 +76,7 @@ def make_parser() -> argparse.ArgumentParser:
     lab_command("watch", "watch", "run lab N's tests again whenever you save; Ctrl-C ends it")
     _add_hint(command("hint", "hints", "show a step's next hint: idea, then formula, then line"))
     _add_frames(lab_command("frames", "pictures", "draw lab N's scene: frames and film strip"))
-    _add_pictures(lab_command("chart", "pictures", "measure lab N's methods: error against time"))
+    _add_chart(lab_command("chart", "pictures", "measure lab N's methods: error against time"))
     command("doctor", "doctor", "say what is installed, what for, and what to do about the rest")
     command("handout", "later", "pack what students get").add_argument(
         "file", metavar="FILE.tar.gz")
@@ -94,6 +94,13 @@ def _add_hint(parser: argparse.ArgumentParser) -> None:
 def _add_pictures(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--solution", action="store_true", help="of the reference, not yours")
     parser.add_argument("--out", metavar="DIR", help="where pictures go (default: Tumble's out/)")
+
+
+def _add_chart(parser: argparse.ArgumentParser) -> None:
+    _add_pictures(parser)
+    parser.add_argument("--peers", action="store_true", help=(
+        "draw Bullet and ODE in, where the lab has them and libbullet-dev and libode-dev are "
+        "installed (no command installs them)"))
 
 
 def _add_frames(parser: argparse.ArgumentParser) -> None:

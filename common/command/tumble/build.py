@@ -28,10 +28,11 @@ def build_folder(root: Path, preset: str) -> Path:
     return root / "build" / preset
 
 
-def configure(root: Path, preset: str) -> None:
+def configure(root: Path, preset: str, again: bool = False) -> None:
     """Runs CMake where it has not run yet; from then on ninja runs it again when it must."""
     folder = build_folder(root, preset)
-    if (folder / "build.ninja").exists() and _configured_for(folder) == str(root):
+    is_configured = (folder / "build.ninja").exists() and _configured_for(folder) == str(root)
+    if is_configured and not again:
         return
     for tool, package in (("cmake", "cmake"), ("ninja", "ninja-build")):
         if not shutil.which(tool):

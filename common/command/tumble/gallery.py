@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 import math
+import re
 from pathlib import Path
 from typing import Any, NamedTuple, Optional, Sequence
 
@@ -16,6 +17,10 @@ FILM = "film"
 CHART = "chart"
 
 _COMMANDS = {FILM: "frames", CHART: "chart"}
+_INDEX = "charts.txt"
+_MAIN_CHART = "chart"
+_CHART_NAME = re.compile(r"[a-z0-9_]+")
+_CHART_FILES = (".svg", ".png", ".csv", ".gp")
 
 
 class Film(NamedTuple):
@@ -35,6 +40,8 @@ class Film(NamedTuple):
 class Chart(NamedTuple):
     variant: str
     command: str
+    name: str
+    title: str
     image: Optional[Path]
     files: Sequence[Path]
     methods: Sequence[str]
@@ -52,9 +59,9 @@ def read_gallery(labs: Sequence[Lab], out: Path) -> list[LabPictures]:
     gallery = []
     for lab in labs:
         films = [_read_film(lab, variant, out) for variant in (STUDENT, REFERENCE)]
-        charts = [_read_chart(lab, variant, out) for variant in (STUDENT, REFERENCE)]
-        gallery.append(LabPictures(lab, [film for film in films if film],
-                                   [chart for chart in charts if chart]))
+        charts = [chart for variant in (STUDENT, REFERENCE)
+                  for chart in _read_charts(lab, variant, out)]
+        gallery.append(LabPictures(lab, [film for film in films if film], charts))
     return gallery
 
 
@@ -80,17 +87,31 @@ def _read_film(lab: Lab, variant: str, out: Path) -> Optional[Film]:
                 _number(told.get("from"), 0.0), frames, _existing(folder / "strip.png"))
 
 
-def _read_chart(lab: Lab, variant: str, out: Path) -> Optional[Chart]:
+def _read_charts(lab: Lab, variant: str, out: Path) -> list[Chart]:
+    """In the order of their program, the main one first."""
     folder = out / lab.folder / variant / CHART
-    names = ("chart.svg", "chart.png", "chart.csv", "chart.gp")
-    files = [folder / name for name in names if (folder / name).is_file()]
-    if not files:
-        return None
-    drawn = [path for path in files if path.suffix in (".svg", ".png")]
-    methods = _read_methods(folder / "chart.csv")
-    return Chart(variant, _command(lab, variant, CHART, folder), drawn[0] if drawn else None, files,
-                 [name for name, written in methods.items() if written],
-                 [name for name, written in methods.items() if not written])
+    command = _command(lab, variant, CHART, folder)
+    charts = []
+    for name, title in _chart_titles(folder).items():
+        files = [folder / f"{name}{ending}" for ending in _CHART_FILES]
+        files = [file for file in files if file.is_file()]
+        if files:
+            drawn = [file for file in files if file.suffix in (".svg", ".png")]
+            methods = _read_methods(folder / f"{name}.csv")
+            charts.append(Chart(variant, command, name, title, drawn[0] if drawn else None, files,
+                                [method for method, written in methods.items() if written],
+                                [method for method, written in methods.items() if not written]))
+    return charts
+
+
+def _chart_titles(folder: Path) -> dict[str, str]:
+    """By name. The index has a line a chart: name, tab, title; without it there is one chart."""
+    try:
+        lines = (folder / _INDEX).read_text(encoding="utf-8", errors="replace").splitlines()
+    except OSError:
+        return {_MAIN_CHART: ""}
+    rows = [line.partition("\t") for line in lines]
+    return {name: title.strip() for name, _, title in rows if _CHART_NAME.fullmatch(name)}
 
 
 def _read_methods(path: Path) -> dict[str, bool]:
@@ -101,7 +122,7 @@ def _read_methods(path: Path) -> dict[str, bool]:
             for row in csv.DictReader(rows):
                 name = row.get("method") or ""
                 if name:
-                    written = row.get("status") != "not_implemented"
+                    written = row.get("status") != "not_implemented" and row.get("value") != ""
                     methods[name] = methods.get(name, False) or written
     except (OSError, csv.Error):
         pass

@@ -55,8 +55,7 @@ def _section(pictures: LabPictures, out: Path) -> str:
     if pictures.films:
         parts += [_player(pictures.films, out), *(_strip(film, out) for film in pictures.films)]
     if pictures.charts:
-        parts += ['<h3>Error against time</h3>\n<div class="charts">',
-                  *(_chart(lab, chart, out) for chart in pictures.charts), "</div>"]
+        parts.append(_charts(lab, pictures.charts, out))
     return "\n".join(parts) + "\n</section>\n"
 
 
@@ -102,12 +101,30 @@ def _strip(film: Film, out: Path) -> str:
             f'alt="{escape(alt, quote=True)}"></a></figure>')
 
 
-def _chart(lab: Lab, chart: Chart, out: Path) -> str:
+def _charts(lab: Lab, charts: Sequence[Chart], out: Path) -> str:
+    """The same chart of all variants together; the command that draws them all stands once."""
+    names = list(dict.fromkeys(chart.name for chart in charts))
+    parts = [f'<h3>{"Charts" if len(names) > 1 else "Error against time"}</h3>']
+    told: set[str] = set()
+    for name in names:
+        same = [chart for chart in charts if chart.name == name]
+        if len(names) > 1:
+            parts.append(f"<h4>{escape(same[0].title or name)}</h4>")
+        parts.append('<div class="charts">')
+        for chart in same:
+            command = "" if chart.variant in told else _command(chart.command)
+            told.add(chart.variant)
+            parts.append(_chart(lab, chart, command, out))
+        parts.append("</div>")
+    return "\n".join(parts)
+
+
+def _chart(lab: Lab, chart: Chart, command: str, out: Path) -> str:
     whose = _WHOSE[chart.variant]
-    methods = ", ".join(chart.methods)
     if chart.image:
         url = _url(chart.image, out)
-        alt = f"{whose}, lab {lab.number}: error against time, both logarithmic, of {methods}"
+        title = chart.title or "error against time, both logarithmic"
+        alt = f"{whose}, lab {lab.number}: {title}, of {', '.join(chart.methods)}"
         picture = (f'<a class="card" href="{url}"><img src="{url}" loading="lazy" '
                    f'alt="{escape(alt, quote=True)}"></a>')
     else:
@@ -115,7 +132,7 @@ def _chart(lab: Lab, chart: Chart, out: Path) -> str:
     files = ", ".join(f'<a href="{_url(file, out)}">{escape(file.name)}</a>'
                       for file in chart.files)
     return (f'<figure><p class="whose">{whose}</p>{picture}\n<figcaption>{_missing(chart.missing)}'
-            f"<p>{files}</p>{_command(chart.command)}</figcaption></figure>")
+            f"<p>{files}</p>{command}</figcaption></figure>")
 
 
 def _missing(names: Sequence[str]) -> str:

@@ -16,6 +16,7 @@ from .labs import Lab, find_lab, require_solutions
 
 PROGRAMS = {"frames": "scene", "chart": "chart"}
 FOLDERS = {"frames": FILM, "chart": CHART}
+PEERS = "--peers"
 
 
 class Picture:
@@ -44,12 +45,14 @@ class Picture:
 
 def run(root: Path, options: argparse.Namespace) -> int:
     lab = find_lab(root, options.lab)
-    arguments = _film_arguments(options) if options.command == "frames" else []
+    arguments = _film_arguments(options) if options.command == "frames" else _peers(options)
     if options.solution:
         require_solutions(root, "--solution")
     out = Path(options.out).absolute() if options.out else root / "out"
     picture = Picture(lab, options.command, REFERENCE if options.solution else STUDENT, out)
     prepare(out)
+    if arguments == [PEERS]:  # CMake looks for them once; they may have come since
+        build.configure(root, "release", again=True)
     build.require(root, "release", [picture.target])
     if not picture.draw(root, arguments, ["--out", options.out] if options.out else []):
         return FAILED
@@ -66,6 +69,10 @@ def prepare(folder: Path) -> None:
         trial.unlink()
     except OSError as error:
         raise Failure(f"cannot write to {folder}: {error.strerror}") from error
+
+
+def _peers(options: argparse.Namespace) -> list[str]:
+    return [PEERS] if options.peers else []
 
 
 def _film_arguments(options: argparse.Namespace) -> list[str]:

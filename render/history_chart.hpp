@@ -1,0 +1,55 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/colour.hpp"
+
+namespace render {
+
+/// One method's values of one quantity over time.
+struct HistoryCurve {
+  std::string method;
+  Colour colour = palette::ink;  ///< the same as in the other charts of the lab
+  std::vector<double> times;     ///< rising
+  std::vector<double> values;    ///< as many, all finite
+  std::string end;               ///< why it stops before the others do, as in "blew up"; or empty
+  std::string missing;           ///< the step that is not written yet, or empty
+  bool is_peer = false;          ///< another's code: drawn dashed and in greys, without `colour`
+};
+
+/// One quantity of all methods.
+struct HistoryPanel {
+  std::string quantity;      ///< as in "energy / energy at the start"; heading and CSV
+  std::string unit;          ///< empty for a ratio
+  bool logarithmic = false;  ///< values below `low` are then drawn there
+  double low = 0.0;          ///< what the axis shows; low = high: what the curves need
+  double high = 0.0;
+  std::vector<HistoryCurve> curves;
+};
+
+/// Quantities over time, one panel below the other: what becomes of a motion in the long run.
+struct HistoryChart {
+  std::string name = "history";  ///< of its files, without their endings: a to z, digits, _
+  std::string lab;               ///< folder name of the lab, as in the CSV's first column
+  std::string title;
+  std::string subtitle;  ///< what is done, and what to read off
+  std::string x_name = "time";
+  std::string x_unit = "s";
+  std::vector<HistoryPanel> panels;
+};
+
+/// Throws std::invalid_argument that names what cannot be drawn: a curve without points, with times
+/// that do not rise or with a value that is not finite; a chart without panels.
+void require_drawable(const HistoryChart& chart);
+
+/// lab,method,quantity,time,value,unit; a method that is not written yet has one row a quantity,
+/// without numbers. Throws as require_drawable does.
+std::string history_csv(const HistoryChart& chart);
+
+/// A gnuplot script that draws NAME.csv of its folder as NAME.svg and NAME.png, thinned to what the
+/// eye can see. A cross stands where a curve stops before the others. Throws as
+/// require_drawable does.
+std::string history_script(const HistoryChart& chart);
+
+}  // namespace render

@@ -87,7 +87,7 @@ Quat step_quaternion_euler(const Quat& world_from_body, const Vec3& angular_velo
 
 Quat exponential_map(const Vec3& rotation_vector) {
   // TODO step 1.6, eq. (11)
-  // 1. The angle is the length of the vector: stableNorm() neither under- nor overflows.
+  // 1. The angle is the length of the vector: std::hypot(x, y, z) neither under- nor overflows.
   // 2. No angle, no axis: return the identity.
   // 3. A quaternion holds half the angle.
   throw common::NotImplemented("1.6 exponential_map");

@@ -43,7 +43,7 @@ Wrench net_wrench(const Vec3& center_of_mass, const std::vector<AppliedForce>& f
 }
 
 Mat3 step_matrix_euler(const Mat3& world_from_body, const Vec3& angular_velocity, double dt) {
-  return world_from_body + dt * skew(angular_velocity) * world_from_body;
+  return world_from_body + skew(dt * angular_velocity) * world_from_body;
 }
 
 Mat3 nearest_rotation(const Mat3& matrix) {
@@ -62,11 +62,12 @@ Quat step_quaternion_euler(const Quat& world_from_body, const Vec3& angular_velo
 }
 
 Quat exponential_map(const Vec3& rotation_vector) {
-  const double angle = rotation_vector.stableNorm();  // the plain norm underflows below 1e-154
+  const Vec3& a = rotation_vector;
+  const double angle = std::hypot(a.x(), a.y(), a.z());  // a.norm() underflows below 1e-154
   if (angle == 0.0) return Quat::Identity();
   Quat turn;
   turn.w() = std::cos(0.5 * angle);
-  turn.vec() = std::sin(0.5 * angle) * (rotation_vector / angle);
+  turn.vec() = std::sin(0.5 * angle) * (a / angle);
   return turn;
 }
 

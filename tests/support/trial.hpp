@@ -76,18 +76,21 @@ class Trial {
     if (!is_finite(error)) fail_not_finite(what + " = " + text(error), "0");
     if (!(error <= bound.value)) {
       explain(what + " = " + text(error), "0", text(error), text(bound.value) + ": " + bound.reason,
-              likely.empty() ? std::vector<std::string>{} : std::vector<std::string>{likely});
+              named(likely));
     }
     REQUIRE(error <= bound.value);
   }
 
   /// Requires that the call throws; NotImplemented passes through.
+  /// likely  the mistake where it returns a value, or empty
   template <typename Call>
-  void expect_throw(const Call& call, const std::string& why) const {
+  void expect_throw(const Call& call, const std::string& why,
+                    const std::string& likely = "") const {
     try {
       const auto got = call();
-      if (!is_finite(got)) fail_not_finite(text(got), "an exception, since " + why);
-      explain(text(got), "an exception, since " + why, "nothing is thrown", "", {});
+      const std::string wanted = "an exception, since " + why;
+      const std::string error = is_finite(got) ? "nothing is thrown" : not_finite;
+      explain(text(got), wanted, error, "", named(likely));
     } catch (const common::NotImplemented&) {
       throw;
     } catch (const std::exception&) {
@@ -98,8 +101,14 @@ class Trial {
   }
 
  private:
+  static constexpr const char* not_finite = "not finite: NaN and infinity are never right here";
+
+  static std::vector<std::string> named(const std::string& likely) {
+    return likely.empty() ? std::vector<std::string>{} : std::vector<std::string>{likely};
+  }
+
   [[noreturn]] void fail_not_finite(const std::string& got, const std::string& wanted) const {
-    explain(got, wanted, "not finite: NaN and infinity are never right here", "", {});
+    explain(got, wanted, not_finite, "", {});
     FAIL(step_ << " returned a value that is not finite");
     std::terminate();  // FAIL throws
   }

@@ -1,0 +1,235 @@
+// Three bodies under the steps of the lab: a T-handle that flips, its angular velocity on the
+// energy ellipsoid, where the explicit loop's runs off, and a spinning top.
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <numbers>
+#include <optional>
+
+#include "common/attitude.hpp"
+#include "common/free_rotation.hpp"
+#include "common/not_implemented.hpp"
+#include "gyroscopic_tumbling.hpp"
+#include "render/film.hpp"
+
+using namespace lab::gyroscopic_tumbling;
+namespace palette = render::palette;
+
+namespace {
+
+constexpr double duration = 6.4;
+constexpr double dt = 0.01;
+constexpr int steps = 640;
+const Vec3 moments(1.0, 2.0, 3.0);  // crossbar, stem, across both
+constexpr HeavyTop heavy_top{1.25, 0.5, 9.81};
+
+const Vec3 handle_center(-2.75, 0.0, 1.55);
+const Vec3 ellipsoid_center(0.0, 0.0, 1.5);
+const Vec3 top_pivot(2.75, 0.0, 0.0);
+
+/// About the stem, the intermediate axis, off by a hundredth: it turns over every three seconds.
+Spin handle_start() {
+  const Vec3 omega = 2.0 * std::numbers::pi * Vec3(0.01, 1.0, 0.01).normalized();
+  const Quat stem_up(Eigen::AngleAxisd(0.5 * std::numbers::pi, Vec3::UnitX()));
+  return {stem_up, omega};
+}
+
+/// Leant over by 30 degrees, its axis let go at rest.
+Spin top_start() {
+  const Quat leaning(Eigen::AngleAxisd(std::numbers::pi / 6.0, Vec3::UnitY()));
+  return {leaning, Vec3(0.0, 0.0, 30.0)};
+}
+
+/// The states of a body, one a step.
+using Track = std::vector<Spin>;
+
+/// What a method makes of a start; nothing, and an entry in `missing`, where it is not written.
+std::optional<Track> tracked(const Spin& start, const std::function<Spin(const Spin&)>& step,
+                             std::vector<std::string>& missing) {
+  try {
+    Track track{start};
+    while (track.size() <= steps) track.push_back(step(track.back()));
+    return track;
+  } catch (const common::NotImplemented& error) {
+    missing.push_back(error.step_and_function());
+    return std::nullopt;
+  }
+}
+
+/// The loop of step 2.2 on a body that nothing pushes.
+Spin loop_step(const Spin& spin) {
+  RigidBodyState state;
+  state.world_from_body = spin.world_from_body;
+  state.angular_velocity = spin.world_from_body * spin.angular_velocity_body;
+  const RigidBodyState next = step_explicit({1.0, moments}, state, {}, dt);
+  return {next.world_from_body, next.world_from_body.conjugate() * next.angular_velocity};
+}
+
+std::size_t step_at(double time) { return static_cast<std::size_t>(std::lround(time / dt)); }
+
+double energy(const Spin& spin) {
+  return 0.5 * spin.angular_velocity_body.dot(moments.cwiseProduct(spin.angular_velocity_body));
+}
+
+Vec3 momentum(const Spin& spin) {
+  return spin.world_from_body * moments.cwiseProduct(spin.angular_velocity_body);
+}
+
+/// A capsule along an axis of the body, from one end to the other.
+void add_rod(render::Scene& scene, const Vec3& center, const Mat3& R, const Vec3& from,
+             const Vec3& to, double radius, const render::Paint& paint) {
+  const Quat along = Quat::FromTwoVectors(Vec3::UnitZ(), to - from);
+  scene.capsules.push_back({{center + R * (0.5 * (from + to)), R * along.toRotationMatrix()},
+                            radius,
+                            0.5 * (to - from).norm(),
+                            paint});
+}
+
+void add_arrow(render::Scene& scene, const Vec3& tail, const Vec3& tip, const char* name,
+               const render::Colour& colour) {
+  scene.arrows.push_back({tail, tip, colour, 0.035});
+  scene.labels.push_back({tip + 0.12 * (tip - tail).normalized(), name, colour, 24.0});
+}
+
+/// The handle with ω and L; its crossbar is orange on one side and blue on the other, so that a
+/// turn over shows.
+void add_handle(render::Scene& scene, const Track& track, double time) {
+  const Spin& spin = track[step_at(time)];
+  const Mat3 R = spin.world_from_body.toRotationMatrix();
+  const Vec3 joint(0.0, -0.2, 0.0);
+  add_rod(scene, handle_center, R, joint, {0.62, -0.2, 0.0}, 0.13, {palette::orange});
+  add_rod(scene, handle_center, R, joint, {-0.62, -0.2, 0.0}, 0.13, {palette::blue});
+  add_rod(scene, handle_center, R, joint, {0.0, 0.55, 0.0}, 0.09, {palette::grey});
+  const Vec3 L = momentum(spin).normalized();
+  const Vec3 omega = spin.world_from_body * spin.angular_velocity_body;
+  add_arrow(scene, handle_center, handle_center + 1.35 * L, "L", palette::vermilion);
+  add_arrow(scene, handle_center, handle_center + 0.19 * omega, "ω", palette::green);
+}
+
+/// From body axes to the picture's: the intermediate axis, where the polhodes cross, looks at us.
+const Mat3 picture_from_body = 1.15 * Vec3(-1.0, -1.0, 1.0).asDiagonal().toDenseMatrix();
+
+/// The surface of equal energy: a unit sphere stretched by 1/√I_i.
+render::Sphere ellipsoid() {
+  const Mat3 stretch = moments.cwiseSqrt().cwiseInverse().asDiagonal();
+  return {
+      {ellipsoid_center, picture_from_body * stretch}, 1.0, {palette::sky, palette::sky, 0.55F}};
+}
+
+/// Lifted off the surface, so that it is not half hidden in it.
+Vec3 above_ellipsoid(const Vec3& angular_velocity_body) {
+  const double size = std::sqrt(2.0 * energy(handle_start()));
+  return ellipsoid_center + 1.012 / size * picture_from_body * angular_velocity_body;
+}
+
+/// The curves that ω runs along for other amounts of angular momentum, from the exact motion.
+std::vector<render::Trail> polhodes() {
+  std::vector<render::Trail> trails;
+  const double size = std::sqrt(2.0 * energy(handle_start()));
+  for (const int axis : {0, 2}) {
+    for (const double tilt : {0.3, 0.6, 0.9, 1.2}) {
+      for (const double side : {1.0, -1.0}) {
+        Vec3 unit = side * std::cos(tilt) * Vec3::Unit(axis);
+        unit.y() = std::sin(tilt);
+        const Vec3 start = size * unit.cwiseQuotient(moments.cwiseSqrt());
+        const common::FreeRotation motion(moments, {Quat::Identity(), start});
+        render::Trail trail{{}, palette::grey, 1.6};
+        for (int i = 0; i <= 320; ++i) {  // two rounds: the fading start lies under the second
+          const double time = motion.period() * i / 160.0;
+          trail.points.push_back(above_ellipsoid(motion.at(time).angular_velocity_body));
+        }
+        trails.push_back(trail);
+      }
+    }
+  }
+  return trails;
+}
+
+/// The path of ω in the body so far, and where it is.
+void add_path(render::Scene& scene, const Track& track, double time, const render::Colour& colour) {
+  render::Trail trail{{}, colour, 4.0};
+  for (std::size_t i = 0; i <= step_at(time); ++i) {
+    trail.points.push_back(above_ellipsoid(track[i].angular_velocity_body));
+  }
+  scene.spheres.push_back({{trail.points.back(), Mat3::Identity()}, 0.06, {colour}});
+  scene.trails.push_back(trail);
+}
+
+void add_top(render::Scene& scene, const Track& track, double time) {
+  const auto axis_at = [&](std::size_t i) -> Vec3 {
+    return top_pivot + 1.75 * (track[i].world_from_body * Vec3::UnitZ());
+  };
+  const Mat3 R = track[step_at(time)].world_from_body.toRotationMatrix();
+  add_rod(scene, top_pivot, R, {0.0, 0.0, 0.05}, {0.0, 0.0, 1.7}, 0.05, {palette::grey});
+  scene.cylinders.push_back(
+      {{top_pivot + 1.0 * R.col(2), R}, 0.6, 0.09, {palette::purple, palette::purple}});
+  scene.spheres.push_back({{top_pivot + R * Vec3(0.6, 0.0, 1.0), R}, 0.1, {palette::yellow}});
+  render::Trail trail{{}, palette::purple, 3.0};
+  for (std::size_t i = 0; i <= step_at(time); ++i) trail.points.push_back(axis_at(i));
+  scene.trails.push_back(trail);
+}
+
+/// The foot of the strip: what drifted, and how far off the exact motion all is at the end.
+std::string measured(const std::optional<Track>& handle, const std::optional<Track>& explicit_loop,
+                     const std::optional<Track>& top) {
+  std::string text;
+  char line[160];
+  const auto add = [&] { text += (text.empty() ? "" : ";  ") + std::string(line); };
+  if (handle) {
+    const Spin& last = handle->back();
+    const Spin& first = handle->front();
+    std::snprintf(line, sizeof line, "RK4 after %.1f s: |ΔE|/E = %.0e, |ΔL|/|L| = %.0e", duration,
+                  std::abs(energy(last) / energy(first) - 1.0),
+                  (momentum(last) - momentum(first)).norm() / momentum(first).norm());
+    add();
+  }
+  if (explicit_loop) {
+    std::snprintf(line, sizeof line, "explicit: E × %.2f",
+                  energy(explicit_loop->back()) / energy(explicit_loop->front()));
+    add();
+  }
+  if (top) {
+    const Spin exact = common::LagrangeTop(heavy_top, top->front()).at(duration);
+    std::snprintf(line, sizeof line, "top: %.0e rad off",
+                  common::angle_between(top->back().world_from_body, exact.world_from_body));
+    add();
+  }
+  return text;
+}
+
+render::Film make_film() {
+  render::Film film;
+  film.title = "The turn-over, its polhode, and a top";
+  film.subtitle = "L rests, ω does not; the explicit loop (orange) runs off the energy ellipsoid";
+  film.parameters = "I = (1, 2, 3) kg m², a turn a second about the stem; dt = 0.01 s";
+  film.duration = duration;
+  film.strip_times = {0.0, 1.2, 1.5, 1.8, 3.2, 4.8};
+  film.bounds = {{-3.6, -0.9, 0.0}, {3.8, 0.7, 3.0}};
+  film.towards_eye = {0.1, -2.2, 0.6};
+
+  const std::optional<Track> handle = tracked(
+      handle_start(), [](const Spin& s) { return step_rk4(moments, s, dt); }, film.missing);
+  const std::optional<Track> loop = tracked(handle_start(), loop_step, film.missing);
+  const std::optional<Track> top = tracked(
+      top_start(), [](const Spin& s) { return step_kick_drift_kick(heavy_top, s, dt); },
+      film.missing);
+  if (!handle && !loop && !top) return film;  // nothing to show: film_main says what is missing
+  film.measured = measured(handle, loop, top);
+  film.scene_at = [=, curves = polhodes()](double time) {
+    render::Scene scene;
+    if (handle) add_handle(scene, *handle, time);
+    if (handle || loop) {
+      scene.spheres.push_back(ellipsoid());
+      scene.trails = curves;
+      if (loop) add_path(scene, *loop, time, palette::orange);
+      if (handle) add_path(scene, *handle, time, palette::green);
+    }
+    if (top) add_top(scene, *top, time);
+    return scene;
+  };
+  return film;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { return render::film_main(argc, argv, make_film); }

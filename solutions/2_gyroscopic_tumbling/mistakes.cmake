@@ -1,0 +1,351 @@
+# The bank of mistakes: each is a misconception that students have, as a small edit of the reference.
+# add_mutant(<lab> <mistake> <step> <find> <replace> <words its message must hold>)
+set(lab gyroscopic_tumbling)
+
+# ---- 2.1 ----
+
+# The term is moved to the other side of the equation with its sign.
+add_mutant(${lab} acceleration_flipped 2.1
+  "torque - omega.cross(inertia * omega)" "torque + omega.cross(inertia * omega)" "is flipped")
+
+# A torque turns a body as a force moves one: I dω/dt = T.
+add_mutant(${lab} acceleration_without_term 2.1
+  "torque - omega.cross(inertia * omega)" "torque" "term is missing")
+
+# The inverse is applied to the torque alone.
+add_mutant(${lab} acceleration_half_inverted 2.1
+  "inertia.inverse() * (torque - omega.cross(inertia * omega))"
+  "inertia.inverse() * torque - omega.cross(inertia * omega)" "too, goes through")
+
+# The energy of a particle is remembered without its half.
+add_mutant(${lab} energy_without_half 2.1
+  "return 0.5 * spin.angular_velocity_body" "return spin.angular_velocity_body" "1/2 is missing")
+
+# The momentum is left in the frame in which it was made.
+add_mutant(${lab} momentum_in_body_axes 2.1
+  "return spin.world_from_body * momentum_body(moments, spin);"
+  "return momentum_body(moments, spin);" "still in body axes")
+
+# The quaternion is believed to lead from the world to the body.
+add_mutant(${lab} momentum_turned_backwards 2.1
+  "return spin.world_from_body * momentum_body(moments, spin);"
+  "return spin.world_from_body.conjugate() * momentum_body(moments, spin);" "turned backwards")
+
+# The body's inertia is used on a world vector.
+add_mutant(${lab} momentum_of_world_omega 2.1
+  "return spin.world_from_body * momentum_body(moments, spin);"
+  "return moments.cwiseProduct(spin.world_from_body * spin.angular_velocity_body);"
+  "applied to omega in the world")
+
+# Positive moments are believed to be enough.
+add_mutant(${lab} moments_without_triangle 2.1
+  "greatest > (moments.sum() - greatest) + 4.0 * eps * greatest" "false" "triangle inequality is not")
+
+# A flat body is believed to be impossible.
+add_mutant(${lab} moments_of_flat_bodies_refused 2.1
+  "greatest > (moments.sum() - greatest) + 4.0 * eps * greatest"
+  "greatest >= moments.sum() - greatest" "flat body is refused")
+
+# ---- 2.2 ----
+
+# The term is moved to the other side of the equation with its sign.
+add_mutant(${lab} loop_flipped 2.2
+  "dt * angular_acceleration(inertia, state.angular_velocity, torque)"
+  "dt * angular_acceleration(inertia, state.angular_velocity, torque + 2.0 * state.angular_velocity.cross(inertia * state.angular_velocity))"
+  "is flipped")
+
+# As games do that call the term unstable and leave it out.
+add_mutant(${lab} loop_without_term 2.2
+  "dt * angular_acceleration(inertia, state.angular_velocity, torque)"
+  "dt * inertia.inverse() * torque" "term is missing")
+
+# The body's inertia is used in the world.
+add_mutant(${lab} loop_with_body_inertia 2.2
+  "R * body.moments.asDiagonal() * R.transpose()" "body.moments.asDiagonal().toDenseMatrix() + 0.0 * R"
+  "used as the world's")
+
+# The rule for the change of frame is remembered with the transpose on the wrong side.
+add_mutant(${lab} loop_with_inertia_turned_backwards 2.2
+  "R * body.moments.asDiagonal() * R.transpose()" "R.transpose() * body.moments.asDiagonal() * R"
+  "R^T I0 R")
+
+# omega is taken for a body vector: it is put behind q.
+add_mutant(${lab} loop_with_omega_on_the_right 2.2
+  "pure(next.angular_velocity) * q;" "q * pure(next.angular_velocity);" "right of q")
+
+# The rate of a quaternion is believed to be omega q.
+add_mutant(${lab} loop_without_half 2.2
+  "Quat(q.coeffs() + 0.5 * dt * rate.coeffs())" "Quat(q.coeffs() + dt * rate.coeffs())"
+  "1/2 is missing")
+
+# One step hardly changes the length, so it is left as it is.
+add_mutant(${lab} loop_not_normalised 2.2
+  "next.world_from_body.normalize();
+  return next;
+}
+
+Vec3 implicit_residual"
+  "return next;
+}
+
+Vec3 implicit_residual" "not normalised")
+
+# Positions are moved before the velocities are known.
+add_mutant(${lab} loop_with_old_velocity 2.2
+  "next.position += dt * next.velocity;" "next.position += dt * state.velocity;" "old velocit")
+
+# The torque is summed about the world's origin.
+add_mutant(${lab} loop_with_torque_about_origin 2.2
+  "(applied.point - state.position).cross" "applied.point.cross" "about the world's origin")
+
+# ---- 2.3 ----
+
+# The term is moved to the other side of the equation with its sign.
+add_mutant(${lab} residual_flipped 2.3
+  "return change + dt * next.cross" "return change - dt * next.cross" "is flipped")
+
+# The new velocity is put into the difference only.
+add_mutant(${lab} residual_at_old_velocity 2.3
+  "dt * next.cross(moments.cwiseProduct(next))"
+  "dt * angular_velocity_body.cross(moments.cwiseProduct(angular_velocity_body))"
+  "at the old velocity")
+
+# Newton's method with the derivative of the first term only.
+add_mutant(${lab} jacobian_of_inertia_alone 2.3
+  "dt * (moments(i) * omega.cross(e) - m.cross(e))" "0.0 * m" "I0 alone")
+
+# The product rule with one of its two terms.
+add_mutant(${lab} jacobian_with_one_term 2.3
+  "moments(i) * omega.cross(e) - m.cross(e)" "moments(i) * omega.cross(e) - 0.0 * m"
+  "[I0 omega]x is missing")
+
+# The cross product is believed to commute.
+add_mutant(${lab} jacobian_with_wrong_sign 2.3
+  "moments(i) * omega.cross(e) - m.cross(e)" "moments(i) * omega.cross(e) + m.cross(e)"
+  "wrong sign in Newton's")
+
+# omega is taken for a world vector.
+add_mutant(${lab} implicit_turned_in_the_world 2.3
+  "spin.world_from_body * common::exponential_map(dt * next)"
+  "common::exponential_map(dt * next) * spin.world_from_body" "left of q")
+
+# The attitude is moved before the velocity is known.
+add_mutant(${lab} implicit_turned_by_old_velocity 2.3
+  "common::exponential_map(dt * next)" "common::exponential_map(dt * omega)" "old angular velocity")
+
+# ---- 2.4 ----
+
+# The term is moved to the other side of the equation with its sign.
+add_mutant(${lab} rate_flipped 2.4
+  "-gyroscopic.cwiseQuotient(moments)" "gyroscopic.cwiseQuotient(moments)" "is flipped")
+
+# The spin is believed to be constant.
+add_mutant(${lab} rate_without_term 2.4
+  "-gyroscopic.cwiseQuotient(moments)" "0.0 * gyroscopic" "term is missing")
+
+# omega is taken for a world vector.
+add_mutant(${lab} rate_with_omega_on_the_left 2.4
+  "spin.world_from_body * pure(omega)" "pure(omega) * spin.world_from_body" "left of q")
+
+# The four rates are averaged.
+add_mutant(${lab} rk4_with_equal_weights 2.4
+  "Spin next = moved(moved(spin, k1, dt / 6.0), k2, dt / 3.0);
+  next = moved(moved(next, k3, dt / 3.0), k4, dt / 6.0);"
+  "Spin next = moved(moved(spin, k1, dt / 4.0), k2, dt / 4.0);
+  next = moved(moved(next, k3, dt / 4.0), k4, dt / 4.0);" "equal weights")
+
+# The last rate is taken where the two before it were.
+add_mutant(${lab} rk4_with_short_last_rate 2.4
+  "spin_rate(moments, moved(spin, k3, dt))" "spin_rate(moments, moved(spin, k3, 0.5 * dt))"
+  "taken at the middle")
+
+# The attitude is turned once, by the mean of the angular velocities: the trap.
+add_mutant(${lab} rk4_by_one_exponential 2.4
+  "  next.world_from_body.normalize();
+  return next;
+}
+
+Spin step_about_axis"
+  "  const Vec3 mean = (spin.angular_velocity_body + 2.0 * moved(spin, k1, 0.5 * dt).angular_velocity_body +
+                     2.0 * moved(spin, k2, 0.5 * dt).angular_velocity_body + moved(spin, k3, dt).angular_velocity_body) / 6.0;
+  next.world_from_body = spin.world_from_body * common::exponential_map(dt * mean);
+  return next;
+}
+
+Spin step_about_axis" "the trap")
+
+# Every quaternion is believed to need normalising.
+add_mutant(${lab} rk4_with_unit_stages 2.4
+  "const SpinRate k2 = spin_rate(moments, moved(spin, k1, 0.5 * dt));
+  const SpinRate k3 = spin_rate(moments, moved(spin, k2, 0.5 * dt));
+  const SpinRate k4 = spin_rate(moments, moved(spin, k3, dt));"
+  "const auto unit = [](Spin now) {
+    now.world_from_body.normalize();
+    return now;
+  };
+  const SpinRate k2 = spin_rate(moments, unit(moved(spin, k1, 0.5 * dt)));
+  const SpinRate k3 = spin_rate(moments, unit(moved(spin, k2, 0.5 * dt)));
+  const SpinRate k4 = spin_rate(moments, unit(moved(spin, k3, dt)));" "between the rates")
+
+# The length is believed to be kept by a method of order four.
+add_mutant(${lab} rk4_not_normalised 2.4
+  "  next.world_from_body.normalize();
+  return next;
+}
+
+Spin step_about_axis" "  return next;
+}
+
+Spin step_about_axis" "not normalised")
+
+# ---- 2.5 ----
+
+# The momentum is believed to be carried along by the body.
+add_mutant(${lab} momentum_turned_with_the_body 2.5
+  "const Vec3 m = p.conjugate() * momentum_body" "const Vec3 m = p * momentum_body" "m turns with the body")
+
+# A quaternion is believed to hold the whole angle.
+add_mutant(${lab} sub_rotation_without_half 2.5
+  "0.5 * spin.angular_velocity_body(axis) * dt" "spin.angular_velocity_body(axis) * dt"
+  "1/2 is missing in tan")
+
+# The turn is about a body axis, but put before the attitude.
+add_mutant(${lab} sub_rotation_in_the_world 2.5
+  "return {spin.world_from_body * p, m" "return {p * spin.world_from_body, m" "left of q")
+
+# The angular velocity is believed to rest in the world.
+add_mutant(${lab} omega_turned_for_momentum 2.5
+  "const Vec3 m = p.conjugate() * momentum_body(moments, spin);"
+  "const Vec3 m = moments.cwiseProduct(p.conjugate() * spin.angular_velocity_body);"
+  "omega is turned instead")
+
+# The axes are taken from the last to the first and back.
+add_mutant(${lab} splitting_from_the_last_axis 2.5
+  "Spin next = step_about_axis(moments, spin, 0, 0.5 * dt);
+  next = step_about_axis(moments, next, 1, 0.5 * dt);
+  next = step_about_axis(moments, next, 2, dt);
+  next = step_about_axis(moments, next, 1, 0.5 * dt);
+  next = step_about_axis(moments, next, 0, 0.5 * dt);"
+  "Spin next = step_about_axis(moments, spin, 2, 0.5 * dt);
+  next = step_about_axis(moments, next, 1, 0.5 * dt);
+  next = step_about_axis(moments, next, 0, dt);
+  next = step_about_axis(moments, next, 1, 0.5 * dt);
+  next = step_about_axis(moments, next, 2, 0.5 * dt);" "3-2-1-2-3")
+
+# One turn about each axis is believed to be enough.
+add_mutant(${lab} splitting_one_way 2.5
+  "Spin next = step_about_axis(moments, spin, 0, 0.5 * dt);
+  next = step_about_axis(moments, next, 1, 0.5 * dt);
+  next = step_about_axis(moments, next, 2, dt);
+  next = step_about_axis(moments, next, 1, 0.5 * dt);
+  next = step_about_axis(moments, next, 0, 0.5 * dt);"
+  "Spin next = step_about_axis(moments, spin, 0, dt);
+  next = step_about_axis(moments, next, 1, dt);
+  next = step_about_axis(moments, next, 2, dt);" "first order only")
+
+# ---- 2.6 ----
+
+# Weight is believed to point along +z.
+add_mutant(${lab} weight_points_up 2.6
+  "Vec3(0.0, 0.0, -1.0)" "Vec3(0.0, 0.0, 1.0)" "weight points down")
+
+# Down is turned as if q led from the world to the body.
+add_mutant(${lab} down_turned_backwards 2.6
+  "world_from_body.conjugate() * Vec3" "world_from_body * Vec3" "the wrong way: want R^T")
+
+# The torque is made in the world and used in the body.
+add_mutant(${lab} torque_in_the_world 2.6
+  "return top.weight_moment * Vec3::UnitZ().cross(down_body);"
+  "return world_from_body * (top.weight_moment * Vec3::UnitZ().cross(down_body));"
+  "torque is in the world")
+
+# Each kick is made whole.
+add_mutant(${lab} kicks_of_a_whole_step 2.6
+  "0.5 * dt * torque" "dt * torque" "want dt/2")
+
+# The torque is computed once a step.
+add_mutant(${lab} second_kick_with_old_torque 2.6
+  "return kicked(common::free_symmetric_step(top, kicked(spin), dt));"
+  "Spin next = common::free_symmetric_step(top, kicked(spin), dt);
+  next.angular_velocity_body +=
+      0.5 * dt * weight_torque_body(top, spin.world_from_body).cwiseQuotient(moments);
+  return next;" "before the drift")
+
+# A torque is taken for an angular acceleration.
+add_mutant(${lab} kick_without_inertia 2.6
+  "0.5 * dt * torque.cwiseQuotient(moments)" "0.5 * dt * torque + 0.0 * moments"
+  "not divided by the moments")
+
+# ---- 2.7 ----
+
+# The rate of a quaternion is believed to be omega q.
+add_mutant(${lab} prediction_without_half 2.7
+  "Quat(world_from_body.coeffs() + 0.5 * dt * rate.coeffs())"
+  "Quat(world_from_body.coeffs() + dt * rate.coeffs())" "1/2 is missing")
+
+# omega is taken for a body vector.
+add_mutant(${lab} prediction_with_omega_on_the_right 2.7
+  "const Quat rate = pure(angular_velocity) * world_from_body;"
+  "const Quat rate = world_from_body * pure(angular_velocity);" "right of q")
+
+# The inverse of a quaternion is taken for its projection.
+add_mutant(${lab} projection_by_the_square 2.7
+  "  Quat q(q_pred.coeffs() / greatest);  // a square neither over- nor underflows now
+  q.normalize();"
+  "  Quat q(q_pred.coeffs() / q_pred.squaredNorm());" "want |q|")
+
+# The square of a long or a short quaternion is taken as it comes.
+add_mutant(${lab} projection_underflows 2.7
+  "  Quat q(q_pred.coeffs() / greatest);" "  Quat q(q_pred.coeffs());" "scale first")
+
+# The prediction is believed to be good enough.
+add_mutant(${lab} constrained_step_without_projection 2.7
+  "project(predicted_attitude(state.world_from_body, next.angular_velocity, dt));"
+  "predicted_attitude(state.world_from_body, next.angular_velocity, dt);" "not normalised")
+
+# The positions are predicted with the velocities that were.
+add_mutant(${lab} prediction_by_old_velocity 2.7
+  "project(predicted_attitude(state.world_from_body, next.angular_velocity, dt));"
+  "project(predicted_attitude(state.world_from_body, state.angular_velocity, dt));"
+  "old velocities")
+
+# ---- 2.8 ----
+
+# The moments are corrected instead of their inverses.
+add_mutant(${lab} moments_scaled_themselves 2.8
+  "const Vec3 inverse = (1.0 + correction.scale) * moments.cwiseInverse();
+  return (inverse.array() + correction.shift).inverse();"
+  "return ((1.0 + correction.scale) * moments).array() + correction.shift;" "want their inverses")
+
+# The increment that belongs to the momentum at the end of the step.
+add_mutant(${lab} increment_of_the_end 2.8
+  "const Vec3 spread(I.z() - I.y(), I.x() - I.z(), I.y() - I.x());"
+  "const Vec3 spread(I.y() - I.z(), I.z() - I.x(), I.x() - I.y());" "end of the step")
+
+# The products are taken for small.
+add_mutant(${lab} increment_without_products 2.8
+  "const Vec3 spread(I.z() - I.y(), I.x() - I.z(), I.y() - I.x());"
+  "const Vec3 spread = 0.0 * I;" "p_j p_k is missing")
+
+# The vector part alone is solved for, and taken for a unit quaternion.
+add_mutant(${lab} increment_not_normalised 2.8
+  "      p.normalize();
+      return p;" "      return p;" "not normalised")
+
+# The corrected moments are believed to replace the body's own everywhere.
+add_mutant(${lab} momentum_of_corrected_moments 2.8
+  "  const Quat p = moser_veselov_increment(corrected_moments(moments, correction),
+                                         momentum_body(moments, spin), dt);
+  Spin next = turned_under_momentum(moments, spin, p);"
+  "  const Vec3 tilde = corrected_moments(moments, correction);
+  const Quat p = moser_veselov_increment(tilde, momentum_body(tilde, spin), dt);
+  Spin next = turned_under_momentum(tilde, spin, p);" "want the body's own")
+
+# Energy and momentum are remembered without their halves.
+add_mutant(${lab} correction_without_halves 2.8
+  "const double C = 0.5 * momentum_body(moments, spin).squaredNorm();"
+  "const double C = momentum_body(moments, spin).squaredNorm();" "")
+
+# The step's square is forgotten.
+add_mutant(${lab} correction_without_dt 2.8
+  "return {dt * dt * (mixed * C" "return {dt * (mixed * C" "")

@@ -1,0 +1,149 @@
+#include <limits>
+
+#include "catch.hpp"
+#include "loop.hpp"
+#include "motions.hpp"
+
+using namespace lab::gyroscopic_tumbling;
+using tests::eps;
+using tests::narrow;
+using tests::QuatL;
+using tests::Real;
+using tests::Trial;
+using tests::wide;
+
+namespace {
+
+/// Four numbers whose sign counts, unlike an attitude's.
+double distance(const Quat& a, const Quat& b) {
+  return tests::length(Quat(a.coeffs() - b.coeffs()));
+}
+
+Quat predicted(const Quat& q, const Vec3& omega, Real dt, Real half = 0.5L,
+               bool body_side = false) {
+  const QuatL rate =
+      body_side ? wide(q) * tests::pure(wide(omega)) : tests::pure(wide(omega)) * wide(q);
+  return narrow(tests::sum(wide(q), half * dt, rate));
+}
+
+}  // namespace
+
+TEST_CASE("The predicted attitude of two radians about z is one and one along z", "[2.7]") {
+  const Vec3 omega(0.0, 0.0, 8.0);
+  const Quat q = predicted_attitude(Quat::Identity(), omega, 0.25);
+  Trial("2.7 predicted_attitude")
+      .given("angular_velocity", omega)
+      .given("dt", 0.25)
+      .expect_small("distance from Quat(1, 0, 0, 1)", distance(q, Quat(1.0, 0.0, 0.0, 1.0)),
+                    {4.0 * eps, "two products and a sum"},
+                    distance(q, Quat(1.0, 0.0, 0.0, 2.0)) < 1e-9 ? "the factor 1/2 is missing"
+                    : std::abs(q.norm() - 1.0) < 1e-9 ? "it is projected already: that comes later"
+                                                      : "");
+}
+
+TEST_CASE("The predicted attitude goes along half of omega q and leaves the sphere", "[2.7]") {
+  tests::Random random(271);
+  for (int i = 1; i <= 100; ++i) {
+    const Quat q = random.attitude();
+    const Vec3 omega = random.vector(5.0);
+    const double dt = random.uniform(0.05, 0.3);
+    const Quat got = predicted_attitude(q, omega, dt);
+    const Quat wanted = predicted(q, omega, dt);
+    std::string likely;
+    if (distance(got, predicted(q, omega, dt, 1)) < 1e-12) likely = "the factor 1/2 is missing";
+    if (distance(got, wanted.normalized()) < 1e-12)
+      likely = "it is projected already: that comes later";
+    if (distance(got, predicted(q, omega, dt, 0.5L, true)) < 1e-12) {
+      likely = "omega stands on the right of q: that is for an omega in body axes";
+    }
+    Trial("2.7 predicted_attitude", i, 100)
+        .given("world_from_body", q)
+        .given("angular_velocity", omega)
+        .given("dt", dt)
+        .expect_small("distance from q + dt omega q / 2", distance(got, wanted),
+                      {32.0 * eps, "some 30 operations on numbers up to 2"}, likely);
+  }
+}
+
+TEST_CASE("The projection is the unit quaternion in the same direction", "[2.7]") {
+  tests::Random random(272);
+  for (int i = 1; i <= 100; ++i) {
+    const Quat q = random.attitude();
+    const double size = std::pow(10.0, random.uniform(-3.0, 3.0));
+    const Quat q_pred(size * q.coeffs());
+    const QuatL exact = wide(q_pred).normalized();
+    const Quat got = project(q_pred);
+    const Quat square(q_pred.coeffs() / q_pred.squaredNorm());
+    std::string likely;
+    if (distance(got, square) <= 1e-9 * square.norm()) likely = "it is divided by |q|^2, want |q|";
+    if (distance(got, q_pred) <= 1e-9 * size) likely = "nothing is projected";
+    Trial("2.7 project", i, 100)
+        .given("q_pred", q_pred)
+        .expect_small("distance from the nearest unit quaternion", distance(got, narrow(exact)),
+                      {8.0 * eps, "a sum of four squares, a root and a division"}, likely);
+  }
+}
+
+TEST_CASE("No unit quaternion is nearer than the projection", "[2.7]") {
+  tests::Random random(273);
+  for (int i = 1; i <= 10; ++i) {
+    const Quat q_pred(random.uniform(0.2, 2.0) * random.attitude().coeffs());
+    const Quat got = project(q_pred);
+    const Trial trial = Trial("2.7 project", i, 10).given("q_pred", q_pred);
+    trial.expect_small("||q| - 1|", std::abs(got.norm() - 1.0), {8.0 * eps, "a unit quaternion"},
+                       distance(got, q_pred) == 0.0 ? "nothing is projected" : "");
+    double nearest = distance(got, q_pred);
+    for (int k = 0; k < 500; ++k) {
+      const Vec3 off = std::pow(10.0, random.uniform(-3.0, 0.5)) * random.direction();
+      nearest = std::min(nearest, distance(common::exponential_map(off) * got, q_pred));
+    }
+    trial.expect_small("distance beyond that of a nearer one", distance(got, q_pred) - nearest,
+                       {16.0 * eps, "500 others, near and far"});
+  }
+}
+
+TEST_CASE("The projection holds for lengths from 1e-300 to 1e300", "[2.7]") {
+  const bool right_at_two =
+      distance(project(Quat(1.2, 0.0, -1.6, 0.0)), Quat(0.6, 0.0, -0.8, 0.0)) < 1e-9;
+  int index = 0;
+  for (const double size : {1e-300, 1e-160, 1.0, 1e160, 1e300}) {
+    const Quat q_pred(0.6 * size, 0.0, -0.8 * size, 0.0);
+    const Trial trial = Trial("2.7 project", ++index, 5).given("q_pred", q_pred);
+    Quat got(0.0, 0.0, 0.0, 0.0);
+    try {
+      got = project(q_pred);
+    } catch (const std::invalid_argument&) {
+      got.setIdentity();  // judged as a wrong value below
+    }
+    const double off = tests::is_finite(got) ? distance(got, Quat(0.6, 0.0, -0.8, 0.0)) : HUGE_VAL;
+    const bool lost = size != 1.0 && right_at_two && !(off < 1e-9);
+    trial.expect_small("distance from Quat(0.6, 0, -0.8, 0)", off,
+                       {8.0 * eps, "scaled, nothing under- or overflows"},
+                       lost ? "the square of a component under- or overflows: scale first" : "");
+  }
+}
+
+TEST_CASE("Zero has no nearest unit quaternion and NaN has none either", "[2.7]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  int index = 0;
+  for (const Quat& bad :
+       {Quat(0.0, 0.0, 0.0, 0.0), Quat(1.0, nan, 0.0, 0.0), Quat(infinity, 0.0, 0.0, 0.0)}) {
+    Trial("2.7 project", ++index, 3)
+        .given("q_pred", bad)
+        .expect_throw([&] { return project(bad); }, "no unit quaternion is nearest");
+  }
+}
+
+TEST_CASE("The constrained step is the loop of 2.2 once more", "[2.7]") {
+  tests::Random random(274);
+  for (int i = 1; i <= 100; ++i) {
+    const RigidBody body{random.uniform(0.5, 3.0), tests::random_moments(random)};
+    const RigidBodyState state = tests::random_state(random);
+    const std::vector<AppliedForce> forces{
+        {random.vector(3.0), state.position + random.vector(1.0)}};
+    const double dt = random.uniform(0.02, 0.2);
+    tests::expect_loop(tests::loop_trial("2.7 step_constrained", body, state, forces, dt, i, 100),
+                       body, state, forces, dt, step_constrained(body, state, forces, dt));
+  }
+}

@@ -1,0 +1,227 @@
+#include <numbers>
+
+#include "catch.hpp"
+#include "motions.hpp"
+
+using namespace lab::gyroscopic_tumbling;
+using tests::eps;
+using tests::narrow;
+using tests::QuatL;
+using tests::Real;
+using tests::SpinL;
+using tests::Trial;
+using tests::VecL;
+using tests::wide;
+
+namespace {
+
+constexpr const char* function = "2.6 step_kick_drift_kick";
+constexpr HeavyTop course_top{1.25, 0.5, 9.81};
+
+struct Variation {
+  Real torque = 1;               ///< times the torque
+  bool world_torque = false;     ///< the torque's world components
+  bool body_down = false;        ///< down is −z of the body
+  Real kick = 0.5L;              ///< of dt
+  bool old_torque = false;       ///< in the second kick
+  bool without_inertia = false;  ///< the kick changes ω by T dt
+  bool one_kick = false;         ///< none after the drift
+};
+
+VecL moments_of(const HeavyTop& top) {
+  return {top.transverse_moment, top.transverse_moment, top.axial_moment};
+}
+
+VecL torque(const HeavyTop& top, const QuatL& q, const Variation& v = {}) {
+  const VecL down(0, 0, -1);
+  const VecL arm(0, 0, 1);
+  const Real size = v.torque * static_cast<Real>(top.weight_moment);
+  if (v.world_torque) return size * VecL(q * arm).cross(down);
+  return size * arm.cross(VecL((v.body_down ? q : q.conjugate()) * down));
+}
+
+/// Free motion of a symmetric body: about L in the world by |L|/I1 dt, and about its own axis.
+SpinL drift(const HeavyTop& top, const SpinL& spin, Real dt) {
+  const VecL I = moments_of(top);
+  const VecL L = spin.q * tests::times(I, spin.omega);
+  const VecL axial(0, 0, spin.omega.z() * (1 - I.z() / I.x()) * dt);
+  const QuatL own = tests::turn(axial);
+  return {tests::turn(L / I.x() * dt) * spin.q * own, own.conjugate() * spin.omega};
+}
+
+SpinL step(const HeavyTop& top, const Spin& spin, Real dt, const Variation& v = {}) {
+  const VecL I = moments_of(top);
+  const auto change = [&](const VecL& T) {
+    return VecL(v.kick * dt * (v.without_inertia ? T : T.cwiseQuotient(I).eval()));
+  };
+  SpinL now = wide(spin);
+  const VecL first = torque(top, now.q, v);
+  now.omega += change(first);
+  now = drift(top, now, dt);
+  if (!v.one_kick) now.omega += change(v.old_torque ? first : torque(top, now.q, v));
+  return now;
+}
+
+std::vector<tests::Suspect<tests::SpinValue>> suspects_of(const HeavyTop& top, const Spin& spin,
+                                                          double dt) {
+  const auto with = [&](const Variation& v) { return narrow(step(top, spin, dt, v)); };
+  return {{with({.torque = -1}), "the torque has the wrong sign: weight points down"},
+          {with({.world_torque = true}), "the torque is in the world, want body axes"},
+          {with({.body_down = true}), "down is turned the wrong way: want R^T (-z)"},
+          {with({.kick = 1}), "each kick lasts dt, want dt/2"},
+          {with({.old_torque = true}), "the second kick uses the torque of before the drift"},
+          {with({.without_inertia = true}), "the kick is not divided by the moments"},
+          {with({.one_kick = true}), "the kick after the drift is missing"}};
+}
+
+Trial top_trial(const HeavyTop& top, const Spin& spin, int index = 1, int count = 1) {
+  return tests::spin_trial(function, narrow(moments_of(top)), spin, index, count)
+      .given("top.weight_moment", top.weight_moment);
+}
+
+/// Leant over by `angle`, spinning about its own axis, the axis at rest.
+Spin leaning(double angle, double axial_speed) {
+  return {Quat(std::cos(0.5 * angle), std::sin(0.5 * angle), 0.0, 0.0),
+          Vec3(0.0, 0.0, axial_speed)};
+}
+
+/// How far a nearly upright top leans within `duration`, at most [rad].
+double greatest_lean(double axial_speed, double dt, double duration) {
+  Spin spin = leaning(1e-6, axial_speed);
+  double greatest = 0.0;
+  for (int i = 0; i * dt < duration; ++i) {
+    spin = step_kick_drift_kick(course_top, spin, dt);
+    const Vec3 axis = spin.world_from_body * Vec3::UnitZ();
+    greatest = std::max(greatest, std::hypot(axis.x(), axis.y()));
+    if (!std::isfinite(greatest) || axis.z() < 0.0) return 1.0;
+  }
+  return greatest;
+}
+
+/// The slowest spin that sleeps: c tan(c h/4) = h m g l / I1 with c = I3 ω3 / I1; for h → 0 it is
+/// 2 √(I1 m g l) / I3.
+double sleeping_speed(const HeavyTop& top, double h) {
+  double low = 0.0;
+  double high = 4.0 / h;
+  for (int i = 0; i < 100; ++i) {
+    const double c = 0.5 * (low + high);
+    const bool enough = c * std::tan(0.25 * c * h) > h * top.weight_moment / top.transverse_moment;
+    (enough ? high : low) = c;
+  }
+  return 0.5 * (low + high) * top.transverse_moment / top.axial_moment;
+}
+
+double top_error(int steps) {
+  const Spin start = leaning(0.5, 20.0);
+  const common::LagrangeTop exact(course_top, start);
+  Spin spin = start;
+  double largest = 0.0;
+  for (int i = 1; i <= steps; ++i) {
+    spin = step_kick_drift_kick(course_top, spin, 1.0 / steps);
+    if (!is_finite(tests::value_of(spin))) return std::nan("");
+    const Quat wanted = exact.at(static_cast<double>(i) / steps).world_from_body;
+    largest = std::max(largest, common::angle_between(spin.world_from_body, wanted));
+  }
+  return largest;
+}
+
+}  // namespace
+
+TEST_CASE("The weight of a top that lies along y turns it about minus x", "[2.6]") {
+  // Turned by -90 degrees about x the body's z axis is the world's y; y x (-z) = -x in both.
+  const Quat q(std::sqrt(0.5), -std::sqrt(0.5), 0.0, 0.0);
+  Trial("2.6 weight_torque_body")
+      .given("top.weight_moment", course_top.weight_moment)
+      .given("world_from_body", q)
+      .expect(weight_torque_body(course_top, q), Vec3(-9.81, 0.0, 0.0),
+              {16.0 * eps * 9.81, "a turn and a product"});
+}
+
+TEST_CASE("The torque of the weight is the arm times the weight seen from the body", "[2.6]") {
+  tests::Random random(261);
+  for (int i = 1; i <= 100; ++i) {
+    const HeavyTop top{1.0, 0.5, random.uniform(0.5, 10.0)};
+    const Quat q = random.attitude();
+    Trial("2.6 weight_torque_body", i, 100)
+        .given("top.weight_moment", top.weight_moment)
+        .given("world_from_body", q)
+        .expect(weight_torque_body(top, q), narrow(torque(top, wide(q))),
+                {32.0 * eps * top.weight_moment, "a turn of some 20 operations, and a product"},
+                {{narrow(torque(top, wide(q), {.torque = -1})),
+                  "the torque has the wrong sign: weight points down"},
+                 {narrow(torque(top, wide(q), {.world_torque = true})),
+                  "the torque is in the world, want body axes"},
+                 {narrow(torque(top, wide(q), {.body_down = true})),
+                  "down is turned the wrong way: want R^T (-z)"}});
+  }
+}
+
+TEST_CASE("The step of a top kicks for half a step and drifts and kicks again", "[2.6]") {
+  tests::Random random(262);
+  for (int i = 1; i <= 100; ++i) {
+    const HeavyTop top{random.uniform(0.8, 2.0), random.uniform(0.3, 1.2),
+                       random.uniform(1.0, 9.0)};
+    const Spin spin = tests::random_spin(random, 4.0);
+    const double dt = random.uniform(-0.2, 0.2);
+    top_trial(top, spin, i, 100)
+        .given("dt", dt)
+        .expect(tests::value_of(step_kick_drift_kick(top, spin, dt)), narrow(step(top, spin, dt)),
+                {512.0 * eps, "two kicks and two turns: some 100 operations on rates up to 30"},
+                suspects_of(top, spin, dt));
+  }
+}
+
+TEST_CASE("The momentum about the vertical and the spin about the axis are kept", "[2.6]") {
+  const Spin start = leaning(0.5, 20.0);
+  const Vec3 moments = narrow(moments_of(course_top));
+  Spin spin = start;
+  const auto vertical = [&](const Spin& s) {
+    return (s.world_from_body * moments.cwiseProduct(s.angular_velocity_body)).z();
+  };
+  for (int i = 0; i < 1000; ++i) spin = step_kick_drift_kick(course_top, spin, 0.01);
+  const Trial trial = top_trial(course_top, start).given("steps of 0.01 s", 1000.0);
+  trial.of("L along the vertical")
+      .expect(vertical(spin), vertical(start),
+              {1000.0 * 32.0 * eps * 12.0, "the weight has no torque about it: 32 ulp a step"});
+  trial.of("the axial speed")
+      .expect(spin.angular_velocity_body.z(), 20.0,
+              {1000.0 * 16.0 * eps * 20.0, "nor about the top's axis"});
+  const double tilt = common::angle_between(start.world_from_body, spin.world_from_body);
+  trial.expect_small("0.1 - angle turned", 0.1 - tilt, {0.0, "something must happen, too"});
+}
+
+TEST_CASE("Without weight the step of a top is the free motion", "[2.6]") {
+  tests::Random random(263);
+  for (int i = 1; i <= 20; ++i) {
+    const HeavyTop top{1.25, 0.5, 0.0};
+    const Spin spin = tests::random_spin(random, 4.0);
+    top_trial(top, spin, i, 20)
+        .given("dt", 0.3)
+        .expect(tests::value_of(step_kick_drift_kick(top, spin, 0.3)),
+                narrow(drift(top, wide(spin), 0.3L)), {256.0 * eps, "two turns"});
+  }
+}
+
+TEST_CASE("A sleeping top wakes where the limit of the step says", "[2.6]") {
+  int index = 0;
+  for (const double h : {0.01, 0.1}) {
+    const double limit = sleeping_speed(course_top, h);
+    const Trial trial = top_trial(course_top, leaning(1e-6, limit), ++index, 2)
+                            .given("dt", h)
+                            .given("axial speed at the limit", limit);
+    trial.expect_small("lean at 1.1 of the limit", greatest_lean(1.1 * limit, h, 20.0),
+                       {1e-4, "it circles the vertical at some multiple of its start, 1e-6"});
+    trial.expect_small("0.1 - lean at 0.9 of the limit", 0.1 - greatest_lean(0.9 * limit, h, 20.0),
+                       {0.0, "it falls at the rate sqrt(1 - 0.81) sqrt(m g l / I1) = 1.2/s"});
+  }
+}
+
+TEST_CASE("The step of the top converges with order two on the heavy top", "[2.6]") {
+  const double coarse = top_error(256);
+  const double fine = top_error(512);
+  top_trial(course_top, leaning(0.5, 20.0))
+      .given("coarse error", coarse)
+      .given("fine error", fine)
+      .expect(std::log2(coarse / fine), 2.0,
+              {0.1, "the slope from 256 to 512 steps a second, bent by their square, 6e-3"});
+}

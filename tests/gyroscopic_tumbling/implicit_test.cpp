@@ -1,0 +1,222 @@
+#include "catch.hpp"
+#include "motions.hpp"
+
+using namespace lab::gyroscopic_tumbling;
+using tests::eps;
+using tests::MatL;
+using tests::narrow;
+using tests::QuatL;
+using tests::Real;
+using tests::SpinL;
+using tests::times;
+using tests::Trial;
+using tests::VecL;
+using tests::wide;
+
+namespace {
+
+constexpr const char* function = "2.3 step_implicit";
+constexpr const char* explicit_step = "Newton's Jacobian is I0 alone: an explicit step";
+
+struct Variation {
+  Real gyroscopic = 1;  ///< times the gyroscopic term, in residual and Jacobian
+  Real turning = 1;     ///< times [ω′]ₓ I0 in the Jacobian
+  Real momentum = 1;    ///< times [I0 ω′]ₓ in the Jacobian
+  int newton_steps = 1;
+  bool world_side = false;    ///< the turn on the left of q
+  bool old_velocity = false;  ///< turns q
+};
+
+MatL cross_matrix(const VecL& w) {
+  MatL matrix;
+  matrix << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
+  return matrix;
+}
+
+VecL residual(const VecL& I, const VecL& old, const VecL& next, Real dt, Real sign = 1) {
+  return times(I, VecL(next - old)) + sign * dt * next.cross(times(I, next));
+}
+
+MatL jacobian(const VecL& I, const VecL& next, Real dt, const Variation& v = {}) {
+  const MatL turning = cross_matrix(next) * MatL(I.asDiagonal());
+  const MatL momentum = cross_matrix(times(I, next));
+  return MatL(I.asDiagonal()) + v.gyroscopic * dt * (v.turning * turning - v.momentum * momentum);
+}
+
+SpinL implicit(const Vec3& moments, const Spin& spin, Real dt, const Variation& v = {}) {
+  const VecL I = wide(moments);
+  const SpinL old = wide(spin);
+  VecL next = old.omega;
+  for (int i = 0; i < v.newton_steps; ++i) {
+    const VecL F = residual(I, old.omega, next, dt, v.gyroscopic);
+    next -= jacobian(I, next, dt, v).inverse() * F;
+  }
+  const QuatL turn = tests::turn(dt * (v.old_velocity ? old.omega : next));
+  return {v.world_side ? turn * old.q : old.q * turn, next};
+}
+
+std::vector<tests::Suspect<tests::SpinValue>> suspects_of(const Vec3& moments, const Spin& spin,
+                                                          double dt) {
+  const auto with = [&](const Variation& v) { return narrow(implicit(moments, spin, dt, v)); };
+  return {
+      {with({.gyroscopic = -1}), tests::flipped},
+      {with({.gyroscopic = 0}), tests::forgotten},
+      {with({.turning = 0, .momentum = 0}), explicit_step},
+      {with({.momentum = 0}), "the term [I0 omega]x is missing in Newton's Jacobian"},
+      {with({.turning = 0}), "the term [omega]x I0 is missing in Newton's Jacobian"},
+      {with({.momentum = -1}), "the term [I0 omega]x has the wrong sign in Newton's Jacobian"},
+      {with({.newton_steps = 2}), "this is more than one step of Newton's method"},
+      {with({.newton_steps = 30}), "this is more than one step of Newton's method"},
+      {with({.world_side = true}), "the turn stands on the left of q, but omega is in body axes"},
+      {with({.old_velocity = true}), "the old angular velocity turns q, want the new one"}};
+}
+
+tests::SpinStep step_of(const Vec3& moments) {
+  return [moments](const Spin& spin, double dt) { return step_implicit(moments, spin, dt); };
+}
+
+Trial equation_trial(const char* name, const Vec3& moments, const Vec3& omega, double dt, int index,
+                     int count) {
+  return Trial(name, index, count)
+      .given("moments", moments)
+      .given("next_angular_velocity_body", omega)
+      .given("dt", dt);
+}
+
+}  // namespace
+
+TEST_CASE("At an unchanged velocity the residual is the gyroscopic impulse", "[2.3]") {
+  // (1, 1, 1) x (1, 2, 3) = (1, -2, 1), for half a second.
+  const Vec3 ones = Vec3::Ones();
+  const Vec3 moments(1.0, 2.0, 3.0);
+  equation_trial("2.3 implicit_residual", moments, ones, 0.5, 1, 1)
+      .given("angular_velocity_body", ones)
+      .expect(implicit_residual(moments, ones, ones, 0.5), Vec3(0.5, -1.0, 0.5),
+              {8.0 * eps, "a few roundings of numbers near one"},
+              {{Vec3(-0.5, 1.0, -0.5), tests::flipped},
+               {Vec3(Vec3::Zero()), tests::forgotten},
+               {Vec3(1.0, -2.0, 1.0), "dt is missing"}});
+}
+
+TEST_CASE("The residual takes the gyroscopic term at the new velocity", "[2.3]") {
+  tests::Random random(231);
+  for (int i = 1; i <= 100; ++i) {
+    const Vec3 moments = tests::random_moments(random);
+    const Vec3 old = random.vector(4.0);
+    const Vec3 next = random.vector(4.0);
+    const double dt = random.uniform(0.01, 0.3);
+    const VecL I = wide(moments);
+    const VecL change = times(I, VecL(wide(next) - wide(old)));
+    const VecL at_old = wide(old).cross(times(I, wide(old)));
+    equation_trial("2.3 implicit_residual", moments, next, dt, i, 100)
+        .given("angular_velocity_body", old)
+        .expect(implicit_residual(moments, old, next, dt),
+                narrow(residual(I, wide(old), wide(next), dt)),
+                {32.0 * eps * 100.0, "some 15 operations on terms up to 100"},
+                {{narrow(residual(I, wide(old), wide(next), dt, -1)), tests::flipped},
+                 {narrow(change), tests::forgotten},
+                 {narrow(change + Real(dt) * at_old),
+                  "the gyroscopic term is taken at the old velocity: that is the explicit step"},
+                 {narrow(residual(I, wide(old), wide(next), 1)), "dt is missing"}});
+  }
+}
+
+TEST_CASE("The Jacobian is the derivative of the residual", "[2.3]") {
+  tests::Random random(232);
+  for (int i = 1; i <= 100; ++i) {
+    const Vec3 moments = tests::random_moments(random);
+    const Vec3 omega = random.vector(4.0);
+    const double dt = random.uniform(0.01, 0.3);
+    const auto with = [&](const Variation& v) {
+      return Mat3(jacobian(wide(moments), wide(omega), dt, v).cast<double>());
+    };
+    equation_trial("2.3 implicit_jacobian", moments, omega, dt, i, 100)
+        .expect(implicit_jacobian(moments, omega, dt), with({}),
+                {16.0 * eps * 20.0, "a few operations an entry, on terms up to 20"},
+                {{with({.gyroscopic = -1}), tests::flipped},
+                 {with({.turning = 0, .momentum = 0}), explicit_step},
+                 {with({.momentum = 0}), "the term [I0 omega]x is missing in Newton's Jacobian"},
+                 {with({.turning = 0}), "the term [omega]x I0 is missing in Newton's Jacobian"},
+                 {with({.momentum = -1}),
+                  "the term [I0 omega]x has the wrong sign in Newton's Jacobian"}});
+  }
+}
+
+TEST_CASE("An implicit step is one Newton step and a turn by the new velocity", "[2.3]") {
+  tests::Random random(233);
+  for (int i = 1; i <= 100; ++i) {
+    const Vec3 moments = tests::random_moments(random);
+    const Spin spin = tests::random_spin(random, 4.0);
+    const double dt = random.uniform(-0.1, 0.1);
+    const double condition = moments.maxCoeff() / moments.minCoeff();
+    tests::spin_trial(function, moments, spin, i, 100)
+        .given("dt", dt)
+        .expect(tests::value_of(step_implicit(moments, spin, dt)),
+                narrow(implicit(moments, spin, dt)),
+                {256.0 * eps * condition,
+                 "some 100 operations and a 3 x 3 system of condition "
+                 "about that of the moments"},
+                suspects_of(moments, spin, dt));
+  }
+}
+
+TEST_CASE("A body of equal moments does not tumble in the implicit step", "[2.3]") {
+  tests::expect_no_tumble_of_a_sphere(function, step_of(Vec3::Constant(2.0)));
+}
+
+TEST_CASE("An implicit step makes the wobble shrink by the root of one plus y squared", "[2.3]") {
+  int index = 0;
+  for (const int axis : {2, 0}) {
+    const tests::Wobble wobble{.axis = axis};
+    const double y = wobble.precession() * 0.1;
+    const double got = tests::growth_factor(wobble, step_of(wobble.moments), 0.1, 100);
+    tests::spin_trial(function, wobble.moments, wobble.start(1e-5), ++index, 2)
+        .given("dt", 0.1)
+        .of("the wobble's growth a step")
+        .expect(got, 1.0 / std::sqrt(1.0 + y * y),
+                {1e-9, "the wobble's own square, 1e-10, and rounding"},
+                {{std::sqrt(1.0 + y * y), explicit_step}, {1.0, tests::forgotten}});
+  }
+}
+
+TEST_CASE("An implicit wobble is a tenth when the formula says", "[2.3]") {
+  const tests::Wobble wobble;
+  const double y = wobble.precession() * 0.1;
+  const double steps = std::log(10.0) / (0.5 * std::log1p(y * y));
+  const auto after = [&](double share) {
+    Spin spin = wobble.start(1e-5);
+    for (int i = 0; i < static_cast<int>(share * steps); ++i) {
+      spin = step_implicit(wobble.moments, spin, 0.1);
+    }
+    return wobble.amplitude(spin) / wobble.amplitude(wobble.start(1e-5));
+  };
+  const Trial trial = tests::spin_trial(function, wobble.moments, wobble.start(1e-5))
+                          .given("steps to a tenth", steps);
+  trial.expect_small("0.1 - the wobble after 0.9 of these steps", 0.1 - after(0.9),
+                     {0.0, "10^-0.9 by the closed form: more than a tenth is left"});
+  trial.expect_small("the wobble after 1.1 of these steps", after(1.1),
+                     {0.1, "10^-1.1 by the closed form: less than a tenth is left"});
+}
+
+TEST_CASE("In ten minutes the implicit step eats a fifth of the angular momentum of a tumble",
+          "[2.3]") {
+  // At 60 steps a second and a turn a second: it ends in a spin about the major axis, where
+  // 2 E I3 = L^2, with 0.788 of |L| left.
+  const Vec3 moments(1.0, 2.0, 3.0);
+  const Spin start{Quat::Identity(), Vec3::Constant(2.0 * std::acos(-1.0) / std::sqrt(3.0))};
+  Spin spin = start;
+  for (int i = 0; i < 36000; ++i) spin = step_implicit(moments, spin, 1.0 / 60.0);
+  const Vec3 m = moments.cwiseProduct(spin.angular_velocity_body);
+  const double left = m.norm() / moments.cwiseProduct(start.angular_velocity_body).norm();
+  const double energy = spin.angular_velocity_body.dot(m);  // twice
+  const Trial trial = tests::spin_trial(function, moments, start).given("steps", 36000.0);
+  trial.of("the share of |L| that is left")
+      .expect(left, 0.788, {1e-3, "measured with other code, to three digits"},
+              {{1.0, "nothing is lost: this is not the implicit step"}});
+  trial.of("2 E I3 / L^2")
+      .expect(energy * 3.0 / m.squaredNorm(), 1.0, {1e-6, "the wobble is gone"});
+}
+
+TEST_CASE("The implicit step converges with order one on a tumble", "[2.3]") {
+  tests::expect_order(function, step_of(tests::tumble_moments), 1024, 1.0);
+}

@@ -1,0 +1,220 @@
+#include <limits>
+#include <stdexcept>
+
+#include "catch.hpp"
+#include "oracle.hpp"
+
+using namespace lab::gyroscopic_tumbling;
+using tests::eps;
+using tests::narrow;
+using tests::Real;
+using tests::Trial;
+using tests::VecL;
+using tests::wide;
+
+namespace {
+
+constexpr const char* accelerate = "2.1 angular_acceleration";
+
+std::vector<tests::Suspect<Vec3>> acceleration_suspects(const Mat3& inertia, const Vec3& omega,
+                                                        const Vec3& torque) {
+  const tests::MatL I = inertia.cast<Real>();
+  const tests::MatL inverse = I.inverse();
+  const VecL w = wide(omega);
+  const VecL T = wide(torque);
+  const VecL term = w.cross(VecL(I * w));
+  return {{narrow(inverse * (T + term)), tests::flipped},
+          {narrow(inverse * T), tests::forgotten},
+          {narrow(T - term), "the inverse of the inertia is missing"},
+          {narrow(inverse * T - term), "the gyroscopic term, too, goes through the inverse"}};
+}
+
+void expect_acceleration(const Trial& trial, const Mat3& inertia, const Vec3& omega,
+                         const Vec3& torque) {
+  const tests::MatL I = inertia.cast<Real>();
+  const VecL w = wide(omega);
+  const Vec3 wanted = narrow(I.inverse() * (wide(torque) - w.cross(VecL(I * w))));
+  const double condition = inertia.norm() * inertia.inverse().norm();
+  const double terms = torque.norm() + omega.norm() * (inertia * omega).norm();
+  Trial(trial)
+      .given("inertia", inertia)
+      .given("angular_velocity", omega)
+      .given("torque", torque)
+      .expect(angular_acceleration(inertia, omega, torque), wanted,
+              {32.0 * eps * condition * inertia.inverse().norm() * terms,
+               "some 30 operations, and as many digits less as the inertia's condition takes"},
+              acceleration_suspects(inertia, omega, torque));
+}
+
+Spin quarter_turned(const Vec3& angular_velocity_body) {
+  return {Quat(std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)), angular_velocity_body};
+}
+
+}  // namespace
+
+TEST_CASE("Without a torque one one one on moments one two three accelerates by the cross product",
+          "[2.1]") {
+  // omega x I omega = (1, 1, 1) x (1, 2, 3) = (1, -2, 1), divided by the moments, with a minus.
+  const Mat3 inertia = Vec3(1.0, 2.0, 3.0).asDiagonal();
+  const Vec3 omega(1.0, 1.0, 1.0);
+  Trial(accelerate)
+      .given("inertia", inertia)
+      .given("angular_velocity", omega)
+      .given("torque", Vec3(Vec3::Zero()))
+      .expect(angular_acceleration(inertia, omega, Vec3::Zero()), Vec3(-1.0, 1.0, -1.0 / 3.0),
+              {8.0 * eps, "a few roundings of numbers near one"},
+              acceleration_suspects(inertia, omega, Vec3::Zero()));
+}
+
+TEST_CASE("The acceleration follows from inertia and torque for bodies in any pose", "[2.1]") {
+  tests::Random random(211);
+  for (int i = 1; i <= 100; ++i) {
+    expect_acceleration(Trial(accelerate, i, 100), random.inertia(), random.vector(5.0),
+                        random.vector(5.0));
+  }
+}
+
+TEST_CASE("A torque on a body at rest turns it through the inverse of its inertia", "[2.1]") {
+  tests::Random random(212);
+  for (int i = 1; i <= 20; ++i) {
+    expect_acceleration(Trial(accelerate, i, 20), random.inertia(), Vec3::Zero(),
+                        random.vector(2.0));
+  }
+}
+
+TEST_CASE("Seen from turned axes the acceleration is the same turned vector", "[2.1]") {
+  tests::Random random(213);
+  for (int i = 1; i <= 50; ++i) {
+    const Mat3 inertia = random.inertia();
+    const Vec3 omega = random.vector(3.0);
+    const Vec3 torque = random.vector(3.0);
+    const Mat3 R = random.attitude().toRotationMatrix();
+    const Vec3 turned_inputs =
+        angular_acceleration(R * inertia * R.transpose(), R * omega, R * torque);
+    const Vec3 turned_result = R * angular_acceleration(inertia, omega, torque);
+    const double scale =
+        inertia.inverse().norm() * (torque.norm() + omega.norm() * (inertia * omega).norm());
+    Trial(accelerate, i, 50)
+        .given("inertia", inertia)
+        .given("angular_velocity", omega)
+        .given("torque", torque)
+        .expect(turned_inputs, turned_result,
+                {128.0 * eps * inertia.norm() * inertia.inverse().norm() * scale,
+                 "both sides round some 60 times, through the inertia's condition"});
+  }
+}
+
+TEST_CASE("One two three on moments one two three has an energy of eighteen", "[2.1]") {
+  const Vec3 moments(1.0, 2.0, 3.0);
+  tests::Random random(214);
+  for (int i = 1; i <= 10; ++i) {
+    const Spin spin{random.attitude(), Vec3(1.0, 2.0, 3.0)};
+    const Vec3 world = spin.world_from_body * spin.angular_velocity_body;
+    tests::spin_trial("2.1 rotational_energy", moments, spin, i, 10)
+        .expect(rotational_energy(moments, spin), 18.0, {36.0 * eps, "a sum of three products"},
+                {{36.0, "the factor 1/2 is missing"},
+                 {7.0, "omega stands in it once only: want omega . I omega"},
+                 {0.5 * world.dot(moments.cwiseProduct(world)),
+                  "omega was turned into the world, the inertia was not"},
+                 {0.5 * 98.0, "this is |L|^2 / 2: one factor is omega, not I omega"}});
+  }
+}
+
+TEST_CASE("The energy is half of omega times angular momentum whatever the attitude", "[2.1]") {
+  tests::Random random(215);
+  for (int i = 1; i <= 100; ++i) {
+    const Vec3 moments = tests::random_moments(random);
+    const Spin spin = tests::random_spin(random);
+    const Vec3& omega = spin.angular_velocity_body;
+    const Vec3 world = spin.world_from_body * omega;
+    const double wanted =
+        static_cast<double>(wide(omega).dot(tests::times(wide(moments), wide(omega))) / 2);
+    tests::spin_trial("2.1 rotational_energy", moments, spin, i, 100)
+        .expect(rotational_energy(moments, spin), wanted,
+                {16.0 * eps * wanted, "a sum of three positive products"},
+                {{2.0 * wanted, "the factor 1/2 is missing"},
+                 {0.5 * world.dot(moments.cwiseProduct(world)),
+                  "omega was turned into the world, the inertia was not"}});
+  }
+}
+
+TEST_CASE("A quarter turn about z takes the momentum one two three to minus two one three",
+          "[2.1]") {
+  const Vec3 moments(1.0, 2.0, 3.0);
+  const Spin spin = quarter_turned(Vec3(1.0, 1.0, 1.0));
+  tests::spin_trial("2.1 angular_momentum", moments, spin)
+      .expect(angular_momentum(moments, spin), Vec3(-2.0, 1.0, 3.0),
+              {32.0 * eps, "some 20 operations on numbers up to 3"},
+              {{Vec3(1.0, 2.0, 3.0), "I0 omega is still in body axes: turn it into the world"},
+               {Vec3(2.0, -1.0, 3.0), "it is turned backwards: q leads from body to world"},
+               {Vec3(-1.0, 2.0, 3.0), "the body's moments are applied to omega in the world"},
+               {Vec3(-1.0, 1.0, 1.0), "this is omega: the moments are missing"}});
+}
+
+TEST_CASE("The angular momentum is that of the body turned into the world", "[2.1]") {
+  tests::Random random(216);
+  for (int i = 1; i <= 100; ++i) {
+    const Vec3 moments = tests::random_moments(random);
+    const Spin spin = tests::random_spin(random);
+    const VecL m = tests::times(wide(moments), wide(spin.angular_velocity_body));
+    const tests::QuatL q = wide(spin.world_from_body).normalized();
+    const VecL omega = wide(spin.angular_velocity_body);
+    const VecL world = q * omega;
+    tests::spin_trial("2.1 angular_momentum", moments, spin, i, 100)
+        .expect(angular_momentum(moments, spin), narrow(q * m),
+                {32.0 * eps * static_cast<double>(m.norm()),
+                 "a turn of some 20 operations by a quaternion that is unit to rounding"},
+                {{narrow(m), "I0 omega is still in body axes: turn it into the world"},
+                 {narrow(q.conjugate() * m), "it is turned backwards: q leads from body to world"},
+                 {narrow(tests::times(wide(moments), world)),
+                  "the body's moments are applied to omega in the world"},
+                 {narrow(world), "this is omega: the moments are missing"}});
+  }
+}
+
+TEST_CASE("Moments that a body can have are returned as they are", "[2.1]") {
+  const std::vector<Vec3> good{{1.0, 2.0, 2.5}, {1.0, 1.0, 1.0},       {0.3, 0.4, 0.7},
+                               {3.0, 2.0, 1.0}, {1e-20, 1e-20, 1e-20}, {0.1, 0.2, 0.1 + 0.2},
+                               {5.0, 2.0, 3.0}, {1e-9, 1.0, 1.0}};
+  int index = 0;
+  for (const Vec3& moments : good) {
+    const Trial trial = Trial("2.1 checked_moments", ++index, static_cast<int>(good.size()))
+                            .given("moments", moments);
+    Vec3 got = Vec3::Zero();
+    try {
+      got = checked_moments(moments);
+    } catch (const std::invalid_argument&) {
+      const bool flat = moments.maxCoeff() >= 0.499999 * moments.sum();
+      trial.expect_small("1 where the moments are refused", 1.0, {0.0, "a body can have them"},
+                         flat ? "a flat body is refused: its greatest moment equals the sum of the "
+                                "others, to rounding"
+                              : "");
+    }
+    trial.expect(got, moments, {0.0, "nothing is computed"});
+  }
+}
+
+TEST_CASE("Moments that no body can have are an error", "[2.1]") {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const char* const positive = "each moment must be above zero";
+  const char* const finite = "each moment must be finite";
+  const char* const triangle = "no moment may be above the sum of the others";
+  struct Bad {
+    Vec3 moments;
+    const char* why;
+  };
+  const std::vector<Bad> all{{{1.0, 0.0, 1.0}, positive},         {{1.0, 1.0, -1.0}, positive},
+                             {{-1.0, -1.0, -1.0}, positive},      {{1.0, nan, 1.0}, finite},
+                             {{infinity, infinity, 1.0}, finite}, {{1.0, 2.0, 3.1}, triangle},
+                             {{1.0, 2.0 + 1e-9, 1.0}, triangle},  {{7.0, 1.0, 1.0}, triangle}};
+  int index = 0;
+  for (const Bad& bad : all) {
+    const char* const likely = bad.why == triangle   ? "the triangle inequality is not checked"
+                               : bad.why == positive ? "the sign is not checked"
+                                                     : "NaN or infinity is not checked";
+    Trial("2.1 checked_moments", ++index, static_cast<int>(all.size()))
+        .given("moments", bad.moments)
+        .expect_throw([&] { return checked_moments(bad.moments); }, bad.why, likely);
+  }
+}

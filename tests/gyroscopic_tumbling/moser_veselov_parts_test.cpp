@@ -1,0 +1,165 @@
+#include "catch.hpp"
+#include "motions.hpp"
+
+using namespace lab::gyroscopic_tumbling;
+using tests::corrected;
+using tests::eps;
+using tests::narrow;
+using tests::QuatL;
+using tests::Real;
+using tests::Trial;
+using tests::VecL;
+using tests::wide;
+
+namespace {
+
+constexpr const char* increment = "2.8 moser_veselov_increment";
+
+/// dt m_i from p, with the products' term times `sign` and the whole times `factor`.
+VecL momentum_of(const VecL& I, const QuatL& p, Real sign = 1, Real factor = 2) {
+  const VecL spread(I.z() - I.y(), I.x() - I.z(), I.y() - I.x());
+  const VecL products(p.y() * p.z(), p.z() * p.x(), p.x() * p.y());
+  return factor * (p.w() * tests::times(I, p.vec()) + sign * tests::times(spread, products));
+}
+
+/// What is left of the equation, in units of the momentum.
+double residual(const Vec3& moments, const Vec3& momentum, double dt, const Quat& p, Real sign = 1,
+                Real factor = 2) {
+  const VecL left = static_cast<Real>(dt) * wide(momentum);
+  return static_cast<double>((momentum_of(wide(moments), wide(p), sign, factor) - left).norm() /
+                             left.norm());
+}
+
+std::string likely_increment(const Vec3& moments, const Vec3& momentum, double dt, const Quat& p) {
+  constexpr double fits = 1e-12;
+  if (residual(moments, momentum, dt, p, -1) < fits) {
+    return "the sign of (I_k - I_j) p_j p_k is flipped: this p belongs to the end of the step";
+  }
+  if (residual(moments, momentum, dt, p, 0) < fits)
+    return "the term (I_k - I_j) p_j p_k is missing";
+  if (residual(moments, momentum, dt, p, 1, 1) < fits) return "the factor 2 is missing";
+  const Quat unnormalised(1.0, p.x(), p.y(), p.z());
+  if (std::abs(p.w() - 1.0) < fits &&
+      residual(moments, momentum, dt, unnormalised.normalized()) < fits) {
+    return "(1, e) is not normalised";
+  }
+  return "";
+}
+
+MomentCorrection with_powers(const Vec3& I, const Spin& spin, double dt, bool half_energy = true) {
+  const VecL i = wide(I);
+  const VecL m = tests::times(i, wide(spin.angular_velocity_body));
+  const Real H = wide(spin.angular_velocity_body).dot(m) / (half_energy ? 2 : 1);
+  const Real C = m.squaredNorm() / (half_energy ? 2 : 1);
+  const Real h2 = static_cast<Real>(dt) * dt;
+  const Real mixed = i.sum() / (6 * i.prod());
+  return {static_cast<double>(h2 * (mixed * C - i.cwiseInverse().sum() / 3 * H)),
+          static_cast<double>(h2 * (mixed * H - C / (3 * i.prod())))};
+}
+
+Vec3 as_vector(const MomentCorrection& c) { return {c.scale, c.shift, 0.0}; }
+
+}  // namespace
+
+TEST_CASE("Corrected moments have scaled and shifted inverses", "[2.8]") {
+  tests::Random random(281);
+  for (int i = 1; i <= 50; ++i) {
+    const Vec3 moments = tests::random_moments(random);
+    const double scale = random.uniform(-0.2, 0.2);
+    const double shift = random.uniform(-0.02, 0.02);
+    const VecL I = wide(moments);
+    Trial("2.8 corrected_moments", i, 50)
+        .given("moments", moments)
+        .given("correction.scale", scale)
+        .given("correction.shift", shift)
+        .expect(
+            corrected_moments(moments, {scale, shift}), narrow(corrected(I, scale, shift)),
+            {32.0 * eps * moments.norm(), "some 6 operations each, 1/I + shift above half of 1/I"},
+            {{narrow(VecL((1 + Real(scale)) * I.array() + Real(shift))),
+              "the moments are scaled and shifted, want their inverses"},
+             {narrow(VecL((1 + Real(scale)) * I.cwiseInverse().array() + Real(shift))),
+              "these are the inverses: want the moments"},
+             {narrow(corrected(I, shift, scale)), "scale and shift are swapped"},
+             {narrow(corrected(I, Real(scale) - 1, shift)), "the 1 in 1 + scale is missing"}});
+  }
+}
+
+TEST_CASE("A spin about an axis has an increment of the arc sine of x", "[2.8]") {
+  int index = 0;
+  for (const int axis : {0, 1, 2}) {
+    for (const double x : {1e-3, 0.5, 0.9, 0.99}) {
+      const Vec3 moments(1.0, 2.0, 3.0);
+      const Vec3 momentum = x * moments(axis) * Vec3::Unit(axis);
+      const Quat p = moser_veselov_increment(moments, momentum, 1.0);
+      Trial(increment, ++index, 12)
+          .given("moments", moments)
+          .given("angular_momentum_body", momentum)
+          .given("dt", 1.0)
+          .expect(common::angle_between(Quat::Identity(), p), std::asin(x),
+                  {64.0 * eps / std::sqrt(1.0 - x * x), "the arc sine is steep towards x = 1"},
+                  {{2.0 * std::atan(0.5 * x), "p0 is taken for 1: p = dt omega / 2"},
+                   {std::asin(0.5 * x), "the factor 2 is on the wrong side"}});
+    }
+  }
+}
+
+TEST_CASE("The increment solves its equation", "[2.8]") {
+  tests::Random random(282);
+  for (int i = 1; i <= 100; ++i) {
+    const Vec3 moments = tests::random_moments(random);
+    const Vec3 momentum = moments.cwiseProduct(random.vector(3.0));
+    const double dt = random.uniform(0.01, 0.15);
+    const Quat p = moser_veselov_increment(moments, momentum, dt);
+    const Trial trial = Trial(increment, i, 100)
+                            .given("moments", moments)
+                            .given("angular_momentum_body", momentum)
+                            .given("dt", dt);
+    trial.expect_small("what is left of the equation, relatively",
+                       residual(moments, momentum, dt, p),
+                       {256.0 * eps, "p to a few ulp, moments a factor 12 apart"},
+                       likely_increment(moments, momentum, dt, p));
+    trial.expect_small("||p| - 1|", std::abs(p.norm() - 1.0), {4.0 * eps, "normalised"},
+                       "(1, e) is not normalised");
+    trial.expect_small("-p0", -p.w(), {0.0, "the solution that goes to 1 with dt"});
+  }
+}
+
+TEST_CASE("An increment exists at 0.9 of the limit and none at 1.1", "[2.8]") {
+  const Vec3 moments(1.0, 2.0, 3.0);
+  for (const int axis : {0, 1, 2}) {
+    const Vec3 limit = moments(axis) * Vec3::Unit(axis);  // |m| dt = I at dt = 1
+    const Trial trial = Trial(increment, axis + 1, 3).given("angular_momentum_body", limit);
+    const Quat p = moser_veselov_increment(moments, 0.9 * limit, 1.0);
+    trial.of("0.9 of the limit")
+        .expect_small("what is left of the equation, relatively",
+                      residual(moments, 0.9 * limit, 1.0, p), {256.0 * eps, "a solution exists"},
+                      likely_increment(moments, 0.9 * limit, 1.0, p));
+    trial.of("1.1 of the limit")
+        .expect_throw([&] { return moser_veselov_increment(moments, 1.1 * limit, 1.0); },
+                      "sin of the angle would be 1.1");
+  }
+}
+
+TEST_CASE("The correction of order four is made of energy and angular momentum", "[2.8]") {
+  tests::Random random(285);
+  for (int i = 1; i <= 100; ++i) {
+    const Vec3 moments = tests::random_moments(random);
+    const Spin spin = tests::random_spin(random);
+    const double dt = random.uniform(0.01, 0.2);
+    const MomentCorrection wanted = with_powers(moments, spin, dt);
+    const Vec3 swapped(wanted.shift, wanted.scale, 0.0);
+    const Vec3 without_dt = as_vector(wanted) / (dt * dt);
+    tests::spin_trial("2.8 fourth_order_correction", moments, spin, i, 100)
+        .given("dt", dt)
+        .of("(scale, shift)")
+        .expect(
+            as_vector(fourth_order_correction(moments, spin, dt)), as_vector(wanted),
+            {256.0 * eps * without_dt.norm() * dt * dt + 1e-15,
+             "some 20 operations; the two terms cancel to a tenth at most"},
+            {{swapped, "scale and shift are swapped"},
+             {without_dt, "the factor dt^2 is missing"},
+             {Vec3(as_vector(wanted) / dt), "the factor is dt, want dt^2"},
+             {as_vector(with_powers(moments, spin, dt, false)), "H and C lack their factor 1/2"},
+             {Vec3(-as_vector(wanted)), "the sign of the correction is flipped"}});
+  }
+}

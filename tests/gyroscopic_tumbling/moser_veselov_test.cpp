@@ -1,0 +1,128 @@
+#include "catch.hpp"
+#include "motions.hpp"
+
+using namespace lab::gyroscopic_tumbling;
+using tests::corrected;
+using tests::eps;
+using tests::narrow;
+using tests::QuatL;
+using tests::Real;
+using tests::SpinL;
+using tests::Trial;
+using tests::VecL;
+using tests::wide;
+
+namespace {
+
+constexpr const char* function = "2.8 step_moser_veselov";
+
+SpinL stepped(const Vec3& moments, const Spin& spin, const Quat& p, bool forwards = false,
+              const Vec3& divided_by = Vec3::Zero(), bool world_side = false) {
+  const VecL I = wide(moments);
+  const SpinL old = wide(spin);
+  const QuatL turn = wide(p);
+  const VecL m = (forwards ? turn : turn.conjugate()) * tests::times(I, old.omega);
+  const VecL by = divided_by.isZero() ? I : wide(divided_by);
+  return {world_side ? turn * old.q : old.q * turn, m.cwiseQuotient(by)};
+}
+
+/// The increment by Newton's method in extended precision.
+Quat exact_increment(const Vec3& moments, const Vec3& momentum, double dt) {
+  const VecL I = wide(moments);
+  const VecL half = wide(momentum) * static_cast<Real>(dt) / 2;
+  const VecL spread(I.z() - I.y(), I.x() - I.z(), I.y() - I.x());
+  VecL e = VecL::Zero();
+  for (int i = 0; i < 60; ++i) {
+    const VecL products(e.y() * e.z(), e.z() * e.x(), e.x() * e.y());
+    const VecL F =
+        tests::times(I, e) + tests::times(spread, products) - half * (1 + e.squaredNorm());
+    tests::MatL J;
+    J << I.x(), spread.x() * e.z(), spread.x() * e.y(), spread.y() * e.z(), I.y(),
+        spread.y() * e.x(), spread.z() * e.y(), spread.z() * e.x(), I.z();
+    J -= 2 * half * e.transpose();
+    e -= J.inverse() * F;
+  }
+  return narrow(QuatL(1, e.x(), e.y(), e.z()).normalized());
+}
+
+tests::SpinStep step_of(const Vec3& moments, int order) {
+  return [moments, order](const Spin& spin, double dt) {
+    const MomentCorrection correction =
+        common::moser_veselov_correction(moments, tests::tumble_start, dt, order);
+    return step_moser_veselov(moments, correction, spin, dt);
+  };
+}
+
+}  // namespace
+
+TEST_CASE("A step turns the attitude by the increment and the momentum back", "[2.8]") {
+  tests::Random random(283);
+  for (int i = 1; i <= 100; ++i) {
+    const Vec3 moments = tests::random_moments(random);
+    const Spin spin = tests::random_spin(random, 3.0);
+    const double dt = random.uniform(0.01, 0.12);
+    const MomentCorrection correction{random.uniform(-0.05, 0.0), random.uniform(0.0, 0.02)};
+    const Vec3 tilde = narrow(corrected(wide(moments), correction.scale, correction.shift));
+    const Vec3 momentum = moments.cwiseProduct(spin.angular_velocity_body);
+    const Quat p = exact_increment(tilde, momentum, dt);
+    const Quat plain = exact_increment(moments, momentum, dt);
+    const Quat mixed = exact_increment(tilde, tilde.cwiseProduct(spin.angular_velocity_body), dt);
+    tests::spin_trial(function, moments, spin, i, 100)
+        .given("correction.scale", correction.scale)
+        .given("correction.shift", correction.shift)
+        .given("dt", dt)
+        .expect(tests::value_of(step_moser_veselov(moments, correction, spin, dt)),
+                narrow(stepped(moments, spin, p)),
+                {1024.0 * eps, "some 200 operations, moments a factor 12 apart"},
+                {{narrow(stepped(moments, spin, p, true)),
+                  "m turns with the body: L rests, so m turns the other way"},
+                 {narrow(stepped(moments, spin, plain)), "the correction is not used"},
+                 {narrow(stepped(tilde, spin, mixed)),
+                  "m is made with the corrected moments, want the body's own"},
+                 {narrow(stepped(moments, spin, p, false, tilde)),
+                  "the new omega is made with the corrected moments, want the body's own"},
+                 {narrow(stepped(moments, spin, p, false, Vec3::Zero(), true)),
+                  "p stands on the left of q, but it turns about body axes"}});
+  }
+}
+
+TEST_CASE("Energy and angular momentum are kept to rounding at any step that exists", "[2.8]") {
+  tests::Random random(284);
+  for (int i = 1; i <= 10; ++i) {
+    const Vec3 moments = tests::random_moments(random);
+    const Spin start{random.attitude(), random.direction()};
+    const double dt = 0.6 * moments.minCoeff() / moments.maxCoeff();
+    Spin spin = start;
+    for (int k = 0; k < 1000; ++k) spin = step_moser_veselov(moments, {}, spin, dt);
+    const auto energy = [&](const Spin& s) {
+      return s.angular_velocity_body.dot(moments.cwiseProduct(s.angular_velocity_body));
+    };
+    const auto momentum = [&](const Spin& s) {
+      return Vec3(s.world_from_body * moments.cwiseProduct(s.angular_velocity_body));
+    };
+    const Trial trial = tests::spin_trial(function, moments, start, i, 10).given("dt", dt);
+    const double rounding = 1000.0 * 64.0 * eps * moments.maxCoeff() / moments.minCoeff();
+    trial.of("the energy after 1000 steps, relatively")
+        .expect(energy(spin) / energy(start), 1.0, {rounding, "64 ulp a step, all the same way"});
+    trial.of("L after 1000 steps")
+        .expect(momentum(spin), momentum(start),
+                {rounding * momentum(start).norm(), "64 ulp a step, all the same way"});
+    trial.expect_small(
+        "0.01 - angle of a step",
+        0.01 - common::angle_between(start.world_from_body,
+                                     step_moser_veselov(moments, {}, start, dt).world_from_body),
+        {0.0, "doing nothing keeps them, too"});
+  }
+}
+
+TEST_CASE("Uncorrected the step converges with order two on a tumble", "[2.8]") {
+  tests::expect_order(function, step_of(tests::tumble_moments, 2), 128, 2.0);
+}
+
+TEST_CASE("With the first correction the step converges with order four on a tumble", "[2.8]") {
+  tests::expect_order(function, step_of(tests::tumble_moments, 4), 64, 4.0);
+}
+
+TEST_CASE("With four corrections the step converges with order ten on a tumble", "[2.8]") {
+  tests::expect_order(function, step_of(tests::tumble_moments, 10), 20, 10.0);
+}

@@ -1,0 +1,208 @@
+#include "catch.hpp"
+#include "motions.hpp"
+
+using namespace lab::gyroscopic_tumbling;
+using tests::eps;
+using tests::narrow;
+using tests::QuatL;
+using tests::Real;
+using tests::SpinL;
+using tests::times;
+using tests::Trial;
+using tests::VecL;
+using tests::wide;
+
+namespace {
+
+constexpr const char* function = "2.5 step_splitting";
+
+struct Variation {
+  bool trigonometric = false;      ///< the exact turn by ω_i dt
+  Real half = 0.5L;                ///< of ω_i dt
+  bool world_side = false;         ///< p on the left of q
+  bool momentum_forwards = false;  ///< m turns with the body
+  bool omega_turned = false;       ///< ω for m
+  std::vector<int> axes{0, 1, 2, 1, 0};
+  Real share = 0.5L;  ///< of dt for all but the middle one
+};
+
+SpinL about_axis(const VecL& I, const SpinL& spin, int axis, Real dt, const Variation& v = {}) {
+  const Real angle = spin.omega(axis) * dt;
+  VecL e = VecL::Zero();
+  e(axis) = 1;
+  QuatL p = v.trigonometric ? tests::turn(angle * e)
+                            : tests::sum({1, 0, 0, 0}, v.half * angle, tests::pure(e));
+  p.normalize();
+  const QuatL back = v.momentum_forwards ? p : p.conjugate();
+  const VecL m = back * (v.omega_turned ? spin.omega : times(I, spin.omega));
+  return {v.world_side ? p * spin.q : spin.q * p, v.omega_turned ? m : m.cwiseQuotient(I)};
+}
+
+SpinL splitting(const Vec3& moments, const Spin& spin, Real dt, const Variation& v = {}) {
+  SpinL now = wide(spin);
+  const std::size_t middle = v.axes.size() / 2;
+  for (std::size_t i = 0; i < v.axes.size(); ++i) {
+    now = about_axis(wide(moments), now, v.axes[i], i == middle ? dt : v.share * dt, v);
+  }
+  return now;
+}
+
+struct Story {
+  Variation variation;
+  const char* text;
+};
+
+/// What can be wrong with one sub-rotation, and so with all.
+std::vector<Story> turn_stories() {
+  return {
+      {{.trigonometric = true}, "this turns by omega dt; asked for is tan(half) = omega dt / 2"},
+      {{.half = 1}, "the factor 1/2 is missing in tan(half) = omega dt / 2"},
+      {{.world_side = true}, "the turn stands on the left of q, but it is about a body axis"},
+      {{.momentum_forwards = true}, "m turns with the body: L rests, so m turns the other way"},
+      {{.omega_turned = true}, "omega is turned instead of m = I0 omega"}};
+}
+
+std::vector<tests::Suspect<tests::SpinValue>> suspects_of(const Vec3& moments, const Spin& spin,
+                                                          double dt) {
+  std::vector<Story> stories = turn_stories();
+  stories.push_back({{.axes = {2, 1, 0, 1, 2}}, "the order is 3-2-1-2-3, want 1-2-3-2-1"});
+  stories.push_back({{.axes = {0, 2, 1, 2, 0}}, "the order is 1-3-2-3-1, want 1-2-3-2-1"});
+  stories.push_back(
+      {{.axes = {0, 1, 2}, .share = 1}, "this is 1-2-3 for dt each: first order only"});
+  stories.push_back({{.share = 1}, "the outer four last dt each, want dt/2"});
+  std::vector<tests::Suspect<tests::SpinValue>> suspects;
+  for (const Story& story : stories) {
+    suspects.push_back({narrow(splitting(moments, spin, dt, story.variation)), story.text});
+  }
+  return suspects;
+}
+
+tests::SpinStep step_of(const Vec3& moments) {
+  return [moments](const Spin& spin, double dt) { return step_splitting(moments, spin, dt); };
+}
+
+/// |trace| of the map that a step makes of a small wobble about axis 3 (or 1) of moments that rise:
+/// the wobble is held while it is below 2. About axis 3 the body turns by X = 2 atan(x/2) in one
+/// sub-rotation, about axis 1 in two of half the length.
+double wobble_trace(const tests::Wobble& wobble, double x) {
+  const Vec3& I = wobble.moments;
+  const bool about_third = wobble.axis == 2;
+  const double X = about_third ? 2.0 * std::atan(0.5 * x) : 4.0 * std::atan(0.25 * x);
+  const double a = x * (about_third ? I.z() / I.x() : I.x() / I.z());
+  const double b = x * (about_third ? I.z() / I.y() : I.x() / I.y());
+  return std::abs((2.0 - a * b) * std::cos(X) + (a + b - 0.25 * a * b * b) * std::sin(X));
+}
+
+double first_limit(const tests::Wobble& wobble) {
+  double x = 0.1;
+  while (wobble_trace(wobble, x) <= 2.0) x += 1e-5;
+  return x;
+}
+
+}  // namespace
+
+TEST_CASE("A sub-rotation turns by twice the arc tangent of half of omega dt", "[2.5]") {
+  // omega_3 dt = 2: a quarter turn about z. m = (1, 0, 6) turns back to (0, -1, 6).
+  const Vec3 moments(1.0, 2.0, 3.0);
+  const Spin spin{Quat::Identity(), Vec3(1.0, 0.0, 2.0)};
+  tests::spin_trial("2.5 step_about_axis", moments, spin)
+      .given("axis", 2.0)
+      .given("dt", 1.0)
+      .expect(
+          tests::value_of(step_about_axis(moments, spin, 2, 1.0)),
+          tests::SpinValue{{Quat(std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)), Vec3(0.0, -0.5, 2.0)}},
+          {32.0 * eps, "some 30 operations on numbers up to 6"},
+          {{{{Quat(std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)), Vec3(0.0, 0.5, 2.0)}},
+            "m turns with the body: L rests, so m turns the other way"}});
+}
+
+TEST_CASE("A sub-rotation turns the attitude forwards and the momentum back", "[2.5]") {
+  tests::Random random(251);
+  for (int i = 1; i <= 90; ++i) {
+    const Vec3 moments = tests::random_moments(random);
+    const Spin spin = tests::random_spin(random, 4.0);
+    const int axis = i % 3;
+    const double dt = random.uniform(-0.5, 0.5);
+    std::vector<tests::Suspect<tests::SpinValue>> suspects;
+    for (const Story& story : turn_stories()) {
+      suspects.push_back(
+          {narrow(about_axis(wide(moments), wide(spin), axis, dt, story.variation)), story.text});
+    }
+    tests::spin_trial("2.5 step_about_axis", moments, spin, i, 90)
+        .given("axis", static_cast<double>(axis))
+        .given("dt", dt)
+        .expect(tests::value_of(step_about_axis(moments, spin, axis, dt)),
+                narrow(about_axis(wide(moments), wide(spin), axis, dt)),
+                {512.0 * eps, "some 50 operations, and moments a factor 12 apart at most"},
+                suspects);
+  }
+}
+
+TEST_CASE("The splitting takes the axes in the order one two three two one", "[2.5]") {
+  tests::Random random(252);
+  for (int i = 1; i <= 100; ++i) {
+    const Vec3 moments = tests::random_moments(random);
+    const Spin spin = tests::random_spin(random, 4.0);
+    const double dt = random.uniform(-0.2, 0.2);
+    tests::spin_trial(function, moments, spin, i, 100)
+        .given("dt", dt)
+        .expect(tests::value_of(step_splitting(moments, spin, dt)),
+                narrow(splitting(moments, spin, dt)),
+                {2048.0 * eps, "five times some 50 operations, moments a factor 12 apart at most"},
+                suspects_of(moments, spin, dt));
+  }
+}
+
+TEST_CASE("The splitting keeps the angular momentum as a world vector to rounding", "[2.5]") {
+  tests::Random random(253);
+  for (int i = 1; i <= 10; ++i) {
+    const Vec3 moments = tests::random_moments(random);
+    const Spin start = tests::random_spin(random, 4.0);
+    const auto momentum = [&](const Spin& spin) {
+      return Vec3(spin.world_from_body * moments.cwiseProduct(spin.angular_velocity_body));
+    };
+    Spin spin = start;
+    for (int k = 0; k < 1000; ++k) spin = step_splitting(moments, spin, 0.1);
+    tests::spin_trial(function, moments, start, i, 10)
+        .of("L after 1000 steps of 0.1 s")
+        .expect(momentum(spin), momentum(start),
+                {1000.0 * 32.0 * eps * momentum(start).norm(), "32 ulp a step, all the same way"});
+  }
+}
+
+TEST_CASE("A step back undoes a splitting step", "[2.5]") {
+  tests::Random random(254);
+  for (int i = 1; i <= 20; ++i) {
+    const Vec3 moments = tests::random_moments(random);
+    const Spin start = tests::random_spin(random, 4.0);
+    const Spin there = step_splitting(moments, start, 0.2);
+    const Trial trial = tests::spin_trial(function, moments, start, i, 20).given("dt", 0.2);
+    trial.expect(
+        tests::value_of(step_splitting(moments, there, -0.2)), tests::value_of(start),
+        {4096.0 * eps, "two steps' rounding; the order 1-2-3-2-1 reads the same backwards"},
+        {{tests::value_of(there), "a negative dt is taken for a positive or none"}});
+    trial.expect_small("0.01 - angle of the step there",
+                       0.01 - common::angle_between(start.world_from_body, there.world_from_body),
+                       {0.0, "a step that does nothing is undone, too"});
+  }
+}
+
+TEST_CASE("The splitting holds a wobble up to the limit of its trace", "[2.5]") {
+  int index = 0;
+  for (const int axis : {2, 0}) {
+    const tests::Wobble wobble{.axis = axis};
+    const double limit = first_limit(wobble);  // omega is 1, so x is dt
+    const Trial trial = tests::spin_trial(function, wobble.moments, wobble.start(1e-5), ++index, 2)
+                            .given("x at the limit", limit);
+    trial.expect_small("growth at 0.9 of the limit",
+                       tests::growth(wobble, step_of(wobble.moments), 0.9 * limit, 10000),
+                       {10.0, "|trace| < 2: the wobble runs on an ellipse"});
+    trial.expect_small("100 - growth at 1.1 of the limit",
+                       100.0 - tests::growth(wobble, step_of(wobble.moments), 1.1 * limit, 10000),
+                       {0.0, "|trace| > 2: one direction of the wobble grows with every step"});
+  }
+}
+
+TEST_CASE("The splitting converges with order two on a tumble", "[2.5]") {
+  tests::expect_order(function, step_of(tests::tumble_moments), 256, 2.0);
+}

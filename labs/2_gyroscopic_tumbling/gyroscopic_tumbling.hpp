@@ -9,7 +9,7 @@
 /// The contract of lab 2. World frame unless a name ends in `_body`; q and −q are one attitude.
 /// Body axes are principal axes: `moments` are I1, I2, I3 about the centre of mass [kg m²], each
 /// above zero and none above the sum of the others. m = Rᵀ L is the angular momentum in body axes.
-/// Every step takes any finite dt [s] unless it says less; a negative one goes back.
+/// Steps take a dt [s] of either sign with |ω dt| < 1e6, and return a unit q.
 namespace lab::gyroscopic_tumbling {
 
 using common::HeavyTop;
@@ -39,8 +39,8 @@ struct AppliedForce {
 };
 
 /// The moments, where a body can have them: finite, above zero, and I_i ≤ I_j + I_k, equal for a
-/// flat body; a few ulp over are rounding and pass.
-/// Otherwise throws std::invalid_argument.  eq. (1)
+/// flat body. An excess of 4e-16 of the greatest is rounding and passes; from 1e-14 on, and for all
+/// else that is wrong, throws std::invalid_argument.                                   eq. (1)
 Vec3 checked_moments(const Vec3& moments);
 
 /// dω/dt = I⁻¹ (T − ω × I ω) [rad/s²], all in the same axes: the world's, or the body's.  eq. (2)
@@ -70,6 +70,8 @@ Mat3 implicit_jacobian(const Vec3& moments, const Vec3& next_angular_velocity_bo
 
 /// ω′ by exactly one step of Newton's method from ω′ = ω, in body axes, as the engines do; then q
 /// turns by ω′ dt with the exponential map.                                          eq. (11), (12)
+///
+/// requires  a Jacobian that is not singular
 Spin step_implicit(const Vec3& moments, const Spin& spin, double dt);
 
 /// What d/dt makes of a Spin.

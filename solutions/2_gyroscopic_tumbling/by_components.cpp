@@ -103,7 +103,7 @@ Spin step_implicit(const Vec3& moments, const Spin& spin, double dt) {
   // Both sides over I0, so that pivots can be compared.
   const Mat3 J = moments.cwiseInverse().asDiagonal() * implicit_jacobian(moments, omega, dt);
   const Vec3 next = omega + eliminated(J, dt * free_acceleration(moments, omega));
-  return {product(spin.world_from_body, common::exponential_map(next * dt)), next};
+  return {unit(product(spin.world_from_body, common::exponential_map(next * dt))), next};
 }
 
 SpinRate spin_rate(const Vec3& moments, const Spin& spin) {

@@ -22,7 +22,7 @@ Vec3 momentum_body(const Vec3& moments, const Spin& spin) {
 /// The body turns by p in its own axes; L stays where it is in the world.
 Spin turned_under_momentum(const Vec3& moments, const Spin& spin, const Quat& p) {
   const Vec3 m = p.conjugate() * momentum_body(moments, spin);
-  return {spin.world_from_body * p, m.cwiseQuotient(moments)};
+  return {(spin.world_from_body * p).normalized(), m.cwiseQuotient(moments)};
 }
 
 Spin moved(const Spin& spin, const SpinRate& rate, double dt) {
@@ -106,7 +106,8 @@ Spin step_implicit(const Vec3& moments, const Spin& spin, double dt) {
   const Vec3& omega = spin.angular_velocity_body;
   const Mat3 J = implicit_jacobian(moments, omega, dt);
   const Vec3 next = omega - J.inverse() * implicit_residual(moments, omega, omega, dt);
-  return {spin.world_from_body * common::exponential_map(dt * next), next};
+  const Quat q = spin.world_from_body * common::exponential_map(dt * next);
+  return {q.normalized(), next};
 }
 
 SpinRate spin_rate(const Vec3& moments, const Spin& spin) {
@@ -139,9 +140,7 @@ Spin step_splitting(const Vec3& moments, const Spin& spin, double dt) {
   next = step_about_axis(moments, next, 1, 0.5 * dt);
   next = step_about_axis(moments, next, 2, dt);
   next = step_about_axis(moments, next, 1, 0.5 * dt);
-  next = step_about_axis(moments, next, 0, 0.5 * dt);
-  next.world_from_body.normalize();
-  return next;
+  return step_about_axis(moments, next, 0, 0.5 * dt);
 }
 
 Vec3 weight_torque_body(const HeavyTop& top, const Quat& world_from_body) {
@@ -156,7 +155,9 @@ Spin step_kick_drift_kick(const HeavyTop& top, const Spin& spin, double dt) {
     now.angular_velocity_body += 0.5 * dt * torque.cwiseQuotient(moments);
     return now;
   };
-  return kicked(common::free_symmetric_step(top, kicked(spin), dt));
+  Spin next = kicked(common::free_symmetric_step(top, kicked(spin), dt));
+  next.world_from_body.normalize();
+  return next;
 }
 
 Quat predicted_attitude(const Quat& world_from_body, const Vec3& angular_velocity, double dt) {
@@ -205,7 +206,7 @@ Quat moser_veselov_increment(const Vec3& moments, const Vec3& angular_momentum_b
     J -= 2.0 * half * e.transpose();
     const Vec3 change = J.inverse() * F;
     e -= change;
-    if (change.norm() <= 64.0 * eps * e.norm()) {  // what rounding leaves next to the limit
+    if (change.norm() <= 1e-10 * e.norm() && std::isfinite(e.squaredNorm())) {  // next: its square
       Quat p(1.0, e.x(), e.y(), e.z());
       p.normalize();
       return p;
@@ -218,9 +219,7 @@ Spin step_moser_veselov(const Vec3& moments, const MomentCorrection& correction,
                         double dt) {
   const Quat p = moser_veselov_increment(corrected_moments(moments, correction),
                                          momentum_body(moments, spin), dt);
-  Spin next = turned_under_momentum(moments, spin, p);
-  next.world_from_body.normalize();
-  return next;
+  return turned_under_momentum(moments, spin, p);
 }
 
 MomentCorrection fourth_order_correction(const Vec3& moments, const Spin& spin, double dt) {

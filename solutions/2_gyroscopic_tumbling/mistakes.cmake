@@ -211,7 +211,7 @@ add_mutant(${lab} sub_rotation_without_half 2.5
 
 # The turn is about a body axis, but put before the attitude.
 add_mutant(${lab} sub_rotation_in_the_world 2.5
-  "return {spin.world_from_body * p, m" "return {p * spin.world_from_body, m" "left of q")
+  "(spin.world_from_body * p).normalized()" "(p * spin.world_from_body).normalized()" "left of q")
 
 # The angular velocity is believed to rest in the world.
 add_mutant(${lab} omega_turned_for_momentum 2.5
@@ -225,12 +225,12 @@ add_mutant(${lab} splitting_from_the_last_axis 2.5
   next = step_about_axis(moments, next, 1, 0.5 * dt);
   next = step_about_axis(moments, next, 2, dt);
   next = step_about_axis(moments, next, 1, 0.5 * dt);
-  next = step_about_axis(moments, next, 0, 0.5 * dt);"
+  return step_about_axis(moments, next, 0, 0.5 * dt);"
   "Spin next = step_about_axis(moments, spin, 2, 0.5 * dt);
   next = step_about_axis(moments, next, 1, 0.5 * dt);
   next = step_about_axis(moments, next, 0, dt);
   next = step_about_axis(moments, next, 1, 0.5 * dt);
-  next = step_about_axis(moments, next, 2, 0.5 * dt);" "3-2-1-2-3")
+  return step_about_axis(moments, next, 2, 0.5 * dt);" "3-2-1-2-3")
 
 # One turn about each axis is believed to be enough.
 add_mutant(${lab} splitting_one_way 2.5
@@ -238,10 +238,10 @@ add_mutant(${lab} splitting_one_way 2.5
   next = step_about_axis(moments, next, 1, 0.5 * dt);
   next = step_about_axis(moments, next, 2, dt);
   next = step_about_axis(moments, next, 1, 0.5 * dt);
-  next = step_about_axis(moments, next, 0, 0.5 * dt);"
+  return step_about_axis(moments, next, 0, 0.5 * dt);"
   "Spin next = step_about_axis(moments, spin, 0, dt);
   next = step_about_axis(moments, next, 1, dt);
-  next = step_about_axis(moments, next, 2, dt);" "first order only")
+  return step_about_axis(moments, next, 2, dt);" "first order only")
 
 # ---- 2.6 ----
 
@@ -265,11 +265,10 @@ add_mutant(${lab} kicks_of_a_whole_step 2.6
 
 # The torque is computed once a step.
 add_mutant(${lab} second_kick_with_old_torque 2.6
-  "return kicked(common::free_symmetric_step(top, kicked(spin), dt));"
+  "Spin next = kicked(common::free_symmetric_step(top, kicked(spin), dt));"
   "Spin next = common::free_symmetric_step(top, kicked(spin), dt);
   next.angular_velocity_body +=
-      0.5 * dt * weight_torque_body(top, spin.world_from_body).cwiseQuotient(moments);
-  return next;" "before the drift")
+      0.5 * dt * weight_torque_body(top, spin.world_from_body).cwiseQuotient(moments);" "before the drift")
 
 # A torque is taken for an angular acceleration.
 add_mutant(${lab} kick_without_inertia 2.6
@@ -336,10 +335,10 @@ add_mutant(${lab} increment_not_normalised 2.8
 add_mutant(${lab} momentum_of_corrected_moments 2.8
   "  const Quat p = moser_veselov_increment(corrected_moments(moments, correction),
                                          momentum_body(moments, spin), dt);
-  Spin next = turned_under_momentum(moments, spin, p);"
+  return turned_under_momentum(moments, spin, p);"
   "  const Vec3 tilde = corrected_moments(moments, correction);
   const Quat p = moser_veselov_increment(tilde, momentum_body(tilde, spin), dt);
-  Spin next = turned_under_momentum(tilde, spin, p);" "want the body's own")
+  return turned_under_momentum(tilde, spin, p);" "want the body's own")
 
 # Energy and momentum are remembered without their halves.
 add_mutant(${lab} correction_without_halves 2.8

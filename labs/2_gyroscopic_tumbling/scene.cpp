@@ -18,14 +18,14 @@ namespace palette = render::palette;
 namespace {
 
 constexpr double duration = 6.4;
-constexpr double dt = 0.01;
-constexpr int steps = 640;
+constexpr double dt = 0.02;
+constexpr int steps = 320;
 const Vec3 moments(1.0, 2.0, 3.0);  // crossbar, stem, across both
 constexpr HeavyTop heavy_top{1.25, 0.5, 9.81};
 
-const Vec3 handle_center(-2.75, 0.0, 1.55);
-const Vec3 ellipsoid_center(0.0, 0.0, 1.5);
-const Vec3 top_pivot(2.75, 0.0, 0.0);
+const Vec3 handle_center(-1.95, 0.0, 1.2);
+const Vec3 ellipsoid_center(0.0, 0.0, 1.2);
+const Vec3 top_pivot(2.0, 0.0, 0.0);
 
 /// About the stem, the intermediate axis, off by a hundredth: it turns over every three seconds.
 Spin handle_start() {
@@ -91,6 +91,11 @@ void add_arrow(render::Scene& scene, const Vec3& tail, const Vec3& tip, const ch
   scene.labels.push_back({tip + 0.12 * (tip - tail).normalized(), name, colour, 24.0});
 }
 
+/// Says on the ground before a body what carries it on.
+void add_name(render::Scene& scene, const Vec3& place, const char* name) {
+  scene.labels.push_back({{place.x() - 0.4, -1.0, 0.0}, name, palette::ink, 20.0});
+}
+
 /// The handle with ω and L; its crossbar is orange on one side and blue on the other, so that a
 /// turn over shows.
 void add_handle(render::Scene& scene, const Track& track, double time) {
@@ -102,12 +107,14 @@ void add_handle(render::Scene& scene, const Track& track, double time) {
   add_rod(scene, handle_center, R, joint, {0.0, 0.55, 0.0}, 0.09, {palette::grey});
   const Vec3 L = momentum(spin).normalized();
   const Vec3 omega = spin.world_from_body * spin.angular_velocity_body;
-  add_arrow(scene, handle_center, handle_center + 1.35 * L, "L", palette::vermilion);
-  add_arrow(scene, handle_center, handle_center + 0.19 * omega, "ω", palette::green);
+  add_name(scene, handle_center, "RK4");
+  add_arrow(scene, handle_center, handle_center + 1.15 * L, "L", palette::vermilion);
+  add_arrow(scene, handle_center, handle_center + 0.16 * omega, "ω", palette::green);
 }
 
-/// From body axes to the picture's: the intermediate axis, where the polhodes cross, looks at us.
-const Mat3 picture_from_body = 1.15 * Vec3(-1.0, -1.0, 1.0).asDiagonal().toDenseMatrix();
+/// From body axes to the picture's: the intermediate axis lies across, so that ω is seen to run
+/// from one end to the other; the major axis is up.
+const Mat3 picture_from_body = 1.05 * Mat3{{0.0, -1.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}};
 
 /// The surface of equal energy: a unit sphere stretched by 1/√I_i.
 render::Sphere ellipsoid() {
@@ -119,7 +126,7 @@ render::Sphere ellipsoid() {
 /// Lifted off the surface, so that it is not half hidden in it.
 Vec3 above_ellipsoid(const Vec3& angular_velocity_body) {
   const double size = std::sqrt(2.0 * energy(handle_start()));
-  return ellipsoid_center + 1.012 / size * picture_from_body * angular_velocity_body;
+  return ellipsoid_center + 1.006 / size * picture_from_body * angular_velocity_body;
 }
 
 /// The curves that ω runs along for other amounts of angular momentum, from the exact motion.
@@ -160,6 +167,7 @@ void add_top(render::Scene& scene, const Track& track, double time) {
     return top_pivot + 1.75 * (track[i].world_from_body * Vec3::UnitZ());
   };
   const Mat3 R = track[step_at(time)].world_from_body.toRotationMatrix();
+  add_name(scene, top_pivot, "kick-drift-kick");
   add_rod(scene, top_pivot, R, {0.0, 0.0, 0.05}, {0.0, 0.0, 1.7}, 0.05, {palette::grey});
   scene.cylinders.push_back(
       {{top_pivot + 1.0 * R.col(2), R}, 0.6, 0.09, {palette::purple, palette::purple}});
@@ -201,10 +209,10 @@ render::Film make_film() {
   render::Film film;
   film.title = "The turn-over, its polhode, and a top";
   film.subtitle = "L rests, ω does not; the explicit loop (orange) runs off the energy ellipsoid";
-  film.parameters = "I = (1, 2, 3) kg m², a turn a second about the stem; dt = 0.01 s";
+  film.parameters = "I = (1, 2, 3) kg m², a turn a second about the stem; dt = 0.02 s";
   film.duration = duration;
-  film.strip_times = {0.0, 1.2, 1.5, 1.8, 3.2, 4.8};
-  film.bounds = {{-3.6, -0.9, 0.0}, {3.8, 0.7, 3.0}};
+  film.strip_times = {0.0, 1.3, 1.6, 2.2, 4.7, 6.4};
+  film.bounds = {{-2.6, -0.9, 0.0}, {2.9, 0.7, 2.45}};
   film.towards_eye = {0.1, -2.2, 0.6};
 
   const std::optional<Track> handle = tracked(
@@ -220,6 +228,7 @@ render::Film make_film() {
     if (handle) add_handle(scene, *handle, time);
     if (handle || loop) {
       scene.spheres.push_back(ellipsoid());
+      add_name(scene, ellipsoid_center, "ω in the body");
       scene.trails = curves;
       if (loop) add_path(scene, *loop, time, palette::orange);
       if (handle) add_path(scene, *handle, time, palette::green);

@@ -22,14 +22,14 @@ void require_drawable(const HistoryChart& chart, const HistoryPanel& panel,
   if (!curve.missing.empty()) return;
   if (curve.times.empty()) refuse(chart, whose + "has no points");
   for (std::size_t i = 0; i < curve.times.size(); ++i) {
-    const std::string at = " at time " + csv_number(curve.times[i]);
-    if (!std::isfinite(curve.times[i]) || (i > 0 && curve.times[i] <= curve.times[i - 1])) {
-      refuse(chart, whose + "has times that do not rise" + at);
-    }
-    if (!std::isfinite(curve.values[i])) {
-      refuse(chart, whose + "is " + csv_number(curve.values[i]) + at +
-                        ": stop the curve before it and say why in `end`");
-    }
+    const bool rises =
+        std::isfinite(curve.times[i]) && (i == 0 || curve.times[i] > curve.times[i - 1]);
+    if (rises && std::isfinite(curve.values[i])) continue;
+    std::string what = whose;
+    what += rises ? "is " + csv_number(curve.values[i]) : "has times that do not rise";
+    what += " at time " + csv_number(curve.times[i]);
+    if (rises) what += ": stop the curve before it and say why in `end`";
+    refuse(chart, what);
   }
 }
 
@@ -55,9 +55,10 @@ std::string history_csv(const HistoryChart& chart) {
       const std::string head = csv_field(chart.lab) + "," + csv_field(curve.method) + "," +
                                csv_field(panel.quantity) + ",";
       const std::string tail = csv_field(panel.unit) + "\n";
-      if (!curve.missing.empty()) csv += head + ",," + tail;
+      if (!curve.missing.empty()) csv.append(head).append(",,").append(tail);
       for (std::size_t i = 0; i < curve.times.size(); ++i) {
-        csv += head + csv_number(curve.times[i]) + "," + csv_number(curve.values[i]) + "," + tail;
+        csv.append(head).append(csv_number(curve.times[i])).append(",");
+        csv.append(csv_number(curve.values[i])).append(",").append(tail);
       }
     }
   }

@@ -68,17 +68,6 @@ int repeats_of(const Method& method, double parameter) {
   return processor_seconds() - start < long_run ? repeats : repeats_of_long_runs;
 }
 
-void register_benchmark(const std::string& name, const Method& method, double parameter) {
-  benchmark::RegisterBenchmark(name.c_str(),
-                               [&method, parameter](benchmark::State& state) {
-                                 if (method.prepare) method.prepare(parameter);
-                                 for ([[maybe_unused]] auto turn : state) method.run(parameter);
-                               })
-      ->Repetitions(repeats_of(method, parameter))
-      ->MinTime(least_seconds)
-      ->Unit(benchmark::kSecond);
-}
-
 /// Google Benchmark takes its settings as a command line.
 void set_up_benchmark() {
   std::array<std::string, 2> words{"chart", "--benchmark_enable_random_interleaving=true"};
@@ -95,7 +84,15 @@ std::vector<ChartSeries> measured(const std::vector<Method>& methods) {
   for (const Method& method : methods) {
     all.push_back(judged(method));
     for (std::size_t p = 0; p < all.back().points.size(); ++p) {
-      register_benchmark(name_of(all.size() - 1, p), method, method.parameters[p]);
+      const double parameter = method.parameters[p];
+      benchmark::RegisterBenchmark(name_of(all.size() - 1, p).c_str(),
+                                   [&method, parameter](benchmark::State& state) {
+                                     if (method.prepare) method.prepare(parameter);
+                                     for ([[maybe_unused]] auto turn : state) method.run(parameter);
+                                   })
+          ->Repetitions(repeats_of(method, parameter))
+          ->MinTime(least_seconds)
+          ->Unit(benchmark::kSecond);
     }
   }
   Collector collector;

@@ -22,7 +22,7 @@ void make_room_for_words(const Chart& chart, Range& error) {
     return std::log(to / from) < words_height * std::log(error.high / error.low);
   };
   if (chart.failure_error > 0.0) {
-    while (is_tight(chart.failure_error, error.high)) error.high *= 10.0;
+    while (is_tight(error_below_words(chart), error.high)) error.high *= 10.0;
   }
   if (chart.rounding_floor > error.low) {
     while (is_tight(error.low, chart.rounding_floor)) error.low *= 0.1;
@@ -35,6 +35,18 @@ double graph_height(const Axes& axes, double error) {
 }
 
 }  // namespace
+
+double error_below_words(const Chart& chart) {
+  constexpr double close = 30.0;
+  double error = chart.failure_error;
+  for (const ChartSeries& series : chart.series) {
+    for (const ChartPoint& point : series.points) {
+      const bool is_close = point.error < close * chart.failure_error;
+      if (point.status == Status::unstable && is_close) error = std::max(error, point.error);
+    }
+  }
+  return error;
+}
 
 Range decades(const Range& range) {
   if (range.low > range.high) return {0.1, 1.0};

@@ -22,6 +22,10 @@ struct Axes {
 /// count: it stands at the top edge.
 Axes chart_axes(const Chart& chart);
 
+/// The error above which the words on failure stand: that of the failure, or of the worst crosses
+/// where those lie close above it.
+double error_below_words(const Chart& chart);
+
 /// Widened to whole decades; one decade where nothing was added.
 Range decades(const Range& range);
 

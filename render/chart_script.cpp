@@ -56,22 +56,25 @@ std::string axes_of(const Chart& chart, const Axes& axes, const Sheet& sheet) {
          " noenhanced offset -0.5,0 tc rgb '#282c34'\n";
 }
 
-std::string horizontal(int tag, double error, const std::string& words, bool above) {
+/// A dashed line at an error, with words above another one, or below it.
+std::string horizontal(int tag, double error, const std::string& words, double words_at,
+                       bool above) {
   std::string s = formatted("set arrow %d from graph 0, first %g to graph 1, first %g nohead", tag,
                             error, error);
   s += " lw 1 dt (5,4) lc rgb '#8d9299' back\n";
   s += formatted("set label %d ", tag) + gnuplot_text(words) +
-       formatted(" at graph 0.985, first %g right offset 0,%s", error, above ? "0.7" : "-0.7") +
+       formatted(" at graph 0.985, first %g right offset 0,%s", words_at, above ? "0.7" : "-0.7") +
        " noenhanced font ',11' tc rgb '#6b7078'\n";
   return s;
 }
 
 std::string boundaries(const Chart& chart, const Axes& axes) {
   std::string s;
-  if (chart.failure_error > 0.0)
-    s += horizontal(201, chart.failure_error, chart.failure_text, true);
+  if (chart.failure_error > 0.0) {
+    s += horizontal(201, chart.failure_error, chart.failure_text, error_below_words(chart), true);
+  }
   if (chart.rounding_floor >= axes.error.low) {
-    s += horizontal(202, chart.rounding_floor, "rounding floor", false);
+    s += horizontal(202, chart.rounding_floor, "rounding floor", chart.rounding_floor, false);
   } else if (chart.rounding_floor > 0.0) {
     const double decades = std::log10(axes.error.low / chart.rounding_floor);
     s += "set label 202 " +

@@ -17,6 +17,7 @@ namespace {
 
 constexpr int revolutions = 50;
 constexpr double nothing_is_known = 1.0;  // [rad]: an attitude this far off tells nothing
+
 std::vector<double> powers_of_two(int first, int last) {
   std::vector<double> ladder;
   for (int steps = first; steps <= last; steps *= 2) ladder.push_back(steps);
@@ -58,6 +59,24 @@ render::Method method(const char* name, double order, render::Colour colour, con
   return result;
 }
 
+/// Another engine on the same motion, its world made before the clock starts.
+render::Method peer_method(const Peer& peer, const Problem& problem, double weight_moment) {
+  const auto begun = [=](const Problem& p, double dt) {
+    return PeerMotion{peer.make(p.moments, p.start, dt), weight_moment};
+  };
+  render::Method result = method(peer.name.c_str(), 1.0, {}, problem, {}, begun);
+  for (int steps = 16; steps <= 16384; steps *= 4) result.parameters.push_back(steps);
+  const auto motion = std::make_shared<PeerMotion>();
+  result.prepare = [=](double steps) { *motion = begun(problem, problem.revolution / steps); };
+  result.run = [=](double steps) {
+    motion->body->place(problem.start);
+    const int total = revolutions * static_cast<int>(steps);
+    for (int i = 0; i < total; ++i) motion->advance();
+  };
+  result.is_peer = true;
+  return result;
+}
+
 std::vector<render::Method> free_methods(const Problem& p) {
   const std::vector<double> fine = powers_of_two(64, 16384);
   const std::vector<double> middle = powers_of_two(8, 4096);
@@ -69,10 +88,10 @@ std::vector<render::Method> free_methods(const Problem& p) {
              by(common::step_rk4_one_exponential)),
       method("splitting 1-2-3-2-1", 2.0, palette::sky, p, middle, by(step_splitting)),
       method("RK4 on (q, ω)", 4.0, palette::blue, p, middle, by(step_rk4)),
-      method("Moser-Veselov", 2.0, palette::yellow, p, coarse, by_moser_veselov(no_correction)),
-      method("Moser-Veselov, order 4", 4.0, palette::purple, p, coarse,
+      method("Moser-Veselov", 2.0, palette::purple, p, coarse, by_moser_veselov(no_correction)),
+      method("Moser-Veselov, corrected", 4.0, palette::purple, p, coarse,
              by_moser_veselov(own_correction)),
-      method("Moser-Veselov, order 10", 10.0, palette::ink, p, powers_of_two(8, 64),
+      method("Moser-Veselov, four corrections", 10.0, palette::purple, p, powers_of_two(8, 64),
              by_moser_veselov(tenth_order_correction)),
       method("exact step", 0.0, palette::green, p, powers_of_two(1, 64), exactly()),
   };
@@ -156,16 +175,17 @@ render::RecordedChart long_run(const Problem& p) {
   chart.subtitle = "what the methods add to or eat of energy and angular momentum";
   chart.panels = {{"|E/E(0) − 1|", "", true, 1e-16, 10.0, {}},
                   {"||L|/|L(0)| − 1|", "", true, 1e-16, 10.0, {}}};
-  return {chart,
-          {history("explicit loop", palette::vermilion, p, by_loop(0.0)),
-           history("implicit, as engines do", palette::orange, p, by(step_implicit)),
-           history("splitting 1-2-3-2-1", palette::sky, p, by(step_splitting)),
-           history("RK4 on (q, ω)", palette::blue, p, by(step_rk4)),
-           history("Moser-Veselov, order 4", palette::purple, p, by_moser_veselov(own_correction)),
-           history("exact step", palette::green, p, exactly())}};
+  return {
+      chart,
+      {history("explicit loop", palette::vermilion, p, by_loop(0.0)),
+       history("implicit, as engines do", palette::orange, p, by(step_implicit)),
+       history("splitting 1-2-3-2-1", palette::sky, p, by(step_splitting)),
+       history("RK4 on (q, ω)", palette::blue, p, by(step_rk4)),
+       history("Moser-Veselov, corrected", palette::purple, p, by_moser_veselov(own_correction)),
+       history("exact step", palette::green, p, exactly())}};
 }
 
-render::ChartPlan plan(bool /*with_peers*/) {
+render::ChartPlan plan(bool with_peers) {
   const Problem racket = free_problem({0.01, 1.0, 0.01});
   const Problem tumble = free_problem({1.0, 1.0, 1.0});
   const Problem top = top_problem();
@@ -179,6 +199,21 @@ render::ChartPlan plan(bool /*with_peers*/) {
       chart("top", "A heavy top: error against computing time",
             "leant over by 30°, its axis let go at rest, 30 rad/s about it", top_methods(top))};
   plan.histories = {long_run(tumble)};
+  if (!with_peers) return plan;
+  for (const Peer& peer : peers()) {
+    if (!peer.make) {
+      plan.left_out.push_back(left_out(peer));
+      continue;
+    }
+    plan.charts[0].methods.push_back(peer_method(peer, racket, 0.0));
+    plan.charts[1].methods.push_back(peer_method(peer, tumble, 0.0));
+    plan.charts[2].methods.push_back(peer_method(peer, top, heavy_top.weight_moment));
+    const auto begun = [make = peer.make](const Problem& p, double dt) {
+      return PeerMotion{make(p.moments, p.start, dt), 0.0};
+    };
+    plan.histories[0].methods.push_back(history(peer.name.c_str(), {}, tumble, begun));
+    plan.histories[0].methods.back().is_peer = true;
+  }
   return plan;
 }
 

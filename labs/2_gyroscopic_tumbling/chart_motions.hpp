@@ -2,11 +2,13 @@
 
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <numbers>
 
 #include "common/free_rotation.hpp"
 #include "common/free_rotation_stepper.hpp"
 #include "gyroscopic_tumbling.hpp"
+#include "peers.hpp"
 
 /// The motions that the chart judges, and how the methods of the lab carry them on.
 namespace lab::gyroscopic_tumbling {
@@ -75,6 +77,18 @@ struct Loop {
   [[nodiscard]] Spin spin() const {
     return {state.world_from_body, state.world_from_body.conjugate() * state.angular_velocity};
   }
+};
+
+/// A body in another engine's world, under the weight's torque.
+struct PeerMotion {
+  std::shared_ptr<PeerBody> body = nullptr;
+  double weight_moment = 0.0;
+
+  void advance() const {
+    const Vec3 axis = body->world_from_body() * Vec3::UnitZ();
+    body->step(weight_moment * Vec3::UnitZ().cross(axis));
+  }
+  [[nodiscard]] Spin spin() const { return body->spin(); }
 };
 
 /// The motion under a step (moments, spin, dt) -> spin of the contract.

@@ -19,10 +19,41 @@ Vec3 momentum_body(const Vec3& moments, const Spin& spin) {
   return moments.cwiseProduct(spin.angular_velocity_body);
 }
 
-/// The body turns by p in its own axes; L stays where it is in the world.
-Spin turned_under_momentum(const Vec3& moments, const Spin& spin, const Quat& p) {
-  const Vec3 m = p.conjugate() * momentum_body(moments, spin);
-  return {(spin.world_from_body * p).normalized(), m.cwiseQuotient(moments)};
+/// A motion as sub-rotations carry it on: q of any length, m in body axes.
+struct Carried {
+  Quat q;
+  Vec3 m;
+};
+
+Carried carried(const Vec3& moments, const Spin& spin) {
+  return {spin.world_from_body, momentum_body(moments, spin)};
+}
+
+Spin spin_of(const Vec3& moments, const Carried& now) {
+  return {now.q.normalized(), now.m.cwiseQuotient(moments)};
+}
+
+/// The body turns by 2 atan t about its axis i, where t = ½ ω_i dt, and m the other way, so that L
+/// stays where it is in the world.
+template <int i>
+Carried sub_rotation(const Vec3& moments, const Carried& now, double dt) {
+  constexpr int j = (i + 1) % 3;
+  constexpr int k = (i + 2) % 3;
+  const double t = 0.5 * dt * now.m(i) / moments(i);  // eq. (15)
+  const Vec3 v = now.q.vec();
+  Carried next;
+  next.q.w() = now.q.w() - t * v(i);  // q (1, t e_i)
+  next.q.vec()(i) = v(i) + t * now.q.w();
+  next.q.vec()(j) = v(j) + t * v(k);
+  next.q.vec()(k) = v(k) - t * v(j);
+
+  const double scale = 1.0 / (1.0 + t * t);
+  const double cosine = (1.0 - t * t) * scale;
+  const double sine = 2.0 * t * scale;
+  next.m(i) = now.m(i);
+  next.m(j) = cosine * now.m(j) + sine * now.m(k);  // eq. (16)
+  next.m(k) = cosine * now.m(k) - sine * now.m(j);
+  return next;
 }
 
 Spin moved(const Spin& spin, const SpinRate& rate, double dt) {
@@ -129,18 +160,25 @@ Spin step_rk4(const Vec3& moments, const Spin& spin, double dt) {
 }
 
 Spin step_about_axis(const Vec3& moments, const Spin& spin, int axis, double dt) {
-  Quat p = Quat::Identity();
-  p.vec()(axis) = 0.5 * spin.angular_velocity_body(axis) * dt;  // tan of half the angle
-  p.normalize();
-  return turned_under_momentum(moments, spin, p);
+  const Carried now = carried(moments, spin);
+  switch (axis) {
+    case 0:
+      return spin_of(moments, sub_rotation<0>(moments, now, dt));
+    case 1:
+      return spin_of(moments, sub_rotation<1>(moments, now, dt));
+    default:
+      return spin_of(moments, sub_rotation<2>(moments, now, dt));
+  }
 }
 
 Spin step_splitting(const Vec3& moments, const Spin& spin, double dt) {
-  Spin next = step_about_axis(moments, spin, 0, 0.5 * dt);
-  next = step_about_axis(moments, next, 1, 0.5 * dt);
-  next = step_about_axis(moments, next, 2, dt);
-  next = step_about_axis(moments, next, 1, 0.5 * dt);
-  return step_about_axis(moments, next, 0, 0.5 * dt);
+  Carried now = carried(moments, spin);
+  now = sub_rotation<0>(moments, now, 0.5 * dt);
+  now = sub_rotation<1>(moments, now, 0.5 * dt);
+  now = sub_rotation<2>(moments, now, dt);
+  now = sub_rotation<1>(moments, now, 0.5 * dt);
+  now = sub_rotation<0>(moments, now, 0.5 * dt);
+  return spin_of(moments, now);
 }
 
 Vec3 weight_torque_body(const HeavyTop& top, const Quat& world_from_body) {
@@ -219,7 +257,8 @@ Spin step_moser_veselov(const Vec3& moments, const MomentCorrection& correction,
                         double dt) {
   const Quat p = moser_veselov_increment(corrected_moments(moments, correction),
                                          momentum_body(moments, spin), dt);
-  return turned_under_momentum(moments, spin, p);
+  const Vec3 m = p.conjugate() * momentum_body(moments, spin);
+  return {(spin.world_from_body * p).normalized(), m.cwiseQuotient(moments)};
 }
 
 MomentCorrection fourth_order_correction(const Vec3& moments, const Spin& spin, double dt) {

@@ -202,46 +202,50 @@ Spin step_about_axis" "not normalised")
 
 # The momentum is believed to be carried along by the body.
 add_mutant(${lab} momentum_turned_with_the_body 2.5
-  "const Vec3 m = p.conjugate() * momentum_body" "const Vec3 m = p * momentum_body" "m turns with the body")
+  "const double sine = 2.0 * t * scale;" "const double sine = -2.0 * t * scale;" "m turns with the body")
 
 # A quaternion is believed to hold the whole angle.
 add_mutant(${lab} sub_rotation_without_half 2.5
-  "0.5 * spin.angular_velocity_body(axis) * dt" "spin.angular_velocity_body(axis) * dt"
-  "1/2 is missing in tan")
+  "const double t = 0.5 * dt * now.m(i)" "const double t = dt * now.m(i)" "1/2 is missing in tan")
 
 # The turn is about a body axis, but put before the attitude.
 add_mutant(${lab} sub_rotation_in_the_world 2.5
-  "(spin.world_from_body * p).normalized()" "(p * spin.world_from_body).normalized()" "left of q")
+  "next.q.vec()(j) = v(j) + t * v(k);
+  next.q.vec()(k) = v(k) - t * v(j);"
+  "next.q.vec()(j) = v(j) - t * v(k);
+  next.q.vec()(k) = v(k) + t * v(j);" "left of q")
 
 # The angular velocity is believed to rest in the world.
 add_mutant(${lab} omega_turned_for_momentum 2.5
-  "const Vec3 m = p.conjugate() * momentum_body(moments, spin);"
-  "const Vec3 m = moments.cwiseProduct(p.conjugate() * spin.angular_velocity_body);"
+  "cosine * now.m(j) + sine * now.m(k);  // eq. (16)
+  next.m(k) = cosine * now.m(k) - sine * now.m(j);"
+  "cosine * now.m(j) + sine * now.m(k) * moments(j) / moments(k);
+  next.m(k) = cosine * now.m(k) - sine * now.m(j) * moments(k) / moments(j);"
   "omega is turned instead")
 
 # The axes are taken from the last to the first and back.
 add_mutant(${lab} splitting_from_the_last_axis 2.5
-  "Spin next = step_about_axis(moments, spin, 0, 0.5 * dt);
-  next = step_about_axis(moments, next, 1, 0.5 * dt);
-  next = step_about_axis(moments, next, 2, dt);
-  next = step_about_axis(moments, next, 1, 0.5 * dt);
-  return step_about_axis(moments, next, 0, 0.5 * dt);"
-  "Spin next = step_about_axis(moments, spin, 2, 0.5 * dt);
-  next = step_about_axis(moments, next, 1, 0.5 * dt);
-  next = step_about_axis(moments, next, 0, dt);
-  next = step_about_axis(moments, next, 1, 0.5 * dt);
-  return step_about_axis(moments, next, 2, 0.5 * dt);" "3-2-1-2-3")
+  "now = sub_rotation<0>(moments, now, 0.5 * dt);
+  now = sub_rotation<1>(moments, now, 0.5 * dt);
+  now = sub_rotation<2>(moments, now, dt);
+  now = sub_rotation<1>(moments, now, 0.5 * dt);
+  now = sub_rotation<0>(moments, now, 0.5 * dt);"
+  "now = sub_rotation<2>(moments, now, 0.5 * dt);
+  now = sub_rotation<1>(moments, now, 0.5 * dt);
+  now = sub_rotation<0>(moments, now, dt);
+  now = sub_rotation<1>(moments, now, 0.5 * dt);
+  now = sub_rotation<2>(moments, now, 0.5 * dt);" "3-2-1-2-3")
 
 # One turn about each axis is believed to be enough.
 add_mutant(${lab} splitting_one_way 2.5
-  "Spin next = step_about_axis(moments, spin, 0, 0.5 * dt);
-  next = step_about_axis(moments, next, 1, 0.5 * dt);
-  next = step_about_axis(moments, next, 2, dt);
-  next = step_about_axis(moments, next, 1, 0.5 * dt);
-  return step_about_axis(moments, next, 0, 0.5 * dt);"
-  "Spin next = step_about_axis(moments, spin, 0, dt);
-  next = step_about_axis(moments, next, 1, dt);
-  return step_about_axis(moments, next, 2, dt);" "first order only")
+  "now = sub_rotation<0>(moments, now, 0.5 * dt);
+  now = sub_rotation<1>(moments, now, 0.5 * dt);
+  now = sub_rotation<2>(moments, now, dt);
+  now = sub_rotation<1>(moments, now, 0.5 * dt);
+  now = sub_rotation<0>(moments, now, 0.5 * dt);"
+  "now = sub_rotation<0>(moments, now, dt);
+  now = sub_rotation<1>(moments, now, dt);
+  now = sub_rotation<2>(moments, now, dt);" "first order only")
 
 # ---- 2.6 ----
 
@@ -333,12 +337,13 @@ add_mutant(${lab} increment_not_normalised 2.8
 
 # The corrected moments are believed to replace the body's own everywhere.
 add_mutant(${lab} momentum_of_corrected_moments 2.8
-  "  const Quat p = moser_veselov_increment(corrected_moments(moments, correction),
-                                         momentum_body(moments, spin), dt);
-  return turned_under_momentum(moments, spin, p);"
-  "  const Vec3 tilde = corrected_moments(moments, correction);
-  const Quat p = moser_veselov_increment(tilde, momentum_body(tilde, spin), dt);
-  return turned_under_momentum(tilde, spin, p);" "want the body's own")
+  "                                         momentum_body(moments, spin), dt);
+  const Vec3 m = p.conjugate() * momentum_body(moments, spin);
+  return {(spin.world_from_body * p).normalized(), m.cwiseQuotient(moments)};"
+  "momentum_body(corrected_moments(moments, correction), spin), dt);
+  const Vec3 tilde = corrected_moments(moments, correction);
+  const Vec3 m = p.conjugate() * momentum_body(tilde, spin);
+  return {(spin.world_from_body * p).normalized(), m.cwiseQuotient(tilde)};" "want the body's own")
 
 # Energy and momentum are remembered without their halves.
 add_mutant(${lab} correction_without_halves 2.8

@@ -23,7 +23,9 @@ double carlson_rc(double x, double y) {
            std::sqrt(x);
   }
   if (excess > 0.0) return std::atan2(std::sqrt(y - x), std::sqrt(x)) / std::sqrt(y - x);
-  return std::atanh(std::sqrt((x - y) / x)) / std::sqrt(x - y);
+  const double root = std::sqrt(x - y);
+  if (2.0 * y > x) return std::atanh(root / std::sqrt(x)) / root;
+  return std::log((std::sqrt(x) + root) / std::sqrt(y)) / root;  // the same, far from equality
 }
 
 double carlson_rf(double x, double y, double z) {
@@ -55,7 +57,6 @@ double carlson_rj(double x, double y, double z, double p) {
   const double X0 = mean - x;
   const double Y0 = mean - y;
   const double Z0 = mean - z;
-  double delta = (p - x) * (p - y) * (p - z);
   const double spread =
       closeness * std::max(largest(std::abs(X0), std::abs(Y0), std::abs(Z0)), std::abs(mean - p));
   double A = mean;
@@ -68,14 +69,14 @@ double carlson_rj(double x, double y, double z, double p) {
     const double root_p = std::sqrt(p);
     const double lambda = root_x * (root_y + root_z) + root_y * root_z;
     const double d = (root_p + root_x) * (root_p + root_y) * (root_p + root_z);
-    sum += quarter / d * carlson_rc(1.0, 1.0 + delta / d / d);
+    // 1 + (p − x)(p − y)(p − z) / d² without its cancellation for small p.
+    sum += quarter / d * carlson_rc(1.0, 2.0 * root_p * (p + lambda) / d);
     x = 0.25 * (x + lambda);
     y = 0.25 * (y + lambda);
     z = 0.25 * (z + lambda);
     p = 0.25 * (p + lambda);
     A = 0.25 * (A + lambda);
     quarter *= 0.25;
-    delta /= 64.0;
   }
   const double X = quarter * X0 / A;
   const double Y = quarter * Y0 / A;

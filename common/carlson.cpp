@@ -47,9 +47,9 @@ double carlson_rf(double x, double y, double z) {
   const double X = quarter * X0 / A;
   const double Y = quarter * Y0 / A;
   const double Z = -X - Y;
-  const double E2 = X * Y - Z * Z;
-  const double E3 = X * Y * Z;
-  return (1.0 - E2 / 10.0 + E3 / 14.0 + E2 * E2 / 24.0 - 3.0 * E2 * E3 / 44.0) / std::sqrt(A);
+  const double e_2 = X * Y - Z * Z;
+  const double e_3 = X * Y * Z;
+  return (1.0 - e_2 / 10.0 + e_3 / 14.0 + e_2 * e_2 / 24.0 - 3.0 * e_2 * e_3 / 44.0) / std::sqrt(A);
 }
 
 double carlson_rj(double x, double y, double z, double p) {
@@ -82,12 +82,12 @@ double carlson_rj(double x, double y, double z, double p) {
   const double Y = quarter * Y0 / A;
   const double Z = quarter * Z0 / A;
   const double P = -0.5 * (X + Y + Z);
-  const double E2 = X * Y + X * Z + Y * Z - 3.0 * P * P;
-  const double E3 = X * Y * Z + 2.0 * E2 * P + 4.0 * P * P * P;
-  const double E4 = (2.0 * X * Y * Z + E2 * P + 3.0 * P * P * P) * P;
-  const double E5 = X * Y * Z * P * P;
-  const double series = 1.0 - 3.0 * E2 / 14.0 + E3 / 6.0 + 9.0 * E2 * E2 / 88.0 - 3.0 * E4 / 22.0 -
-                        9.0 * E2 * E3 / 52.0 + 3.0 * E5 / 26.0;
+  const double e_2 = X * Y + X * Z + Y * Z - 3.0 * P * P;
+  const double e_3 = X * Y * Z + 2.0 * e_2 * P + 4.0 * P * P * P;
+  const double e_4 = (2.0 * X * Y * Z + e_2 * P + 3.0 * P * P * P) * P;
+  const double e_5 = X * Y * Z * P * P;
+  const double series = 1.0 - 3.0 * e_2 / 14.0 + e_3 / 6.0 + 9.0 * e_2 * e_2 / 88.0 -
+                        3.0 * e_4 / 22.0 - 9.0 * e_2 * e_3 / 52.0 + 3.0 * e_5 / 26.0;
   return quarter * series / (A * std::sqrt(A)) + 6.0 * sum;
 }
 

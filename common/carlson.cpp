@@ -23,7 +23,9 @@ double carlson_rc(double x, double y) {
            std::sqrt(x);
   }
   if (excess > 0.0) return std::atan2(std::sqrt(y - x), std::sqrt(x)) / std::sqrt(y - x);
-  return std::atanh(std::sqrt((x - y) / x)) / std::sqrt(x - y);
+  const double root = std::sqrt(x - y);
+  if (2.0 * y > x) return std::atanh(root / std::sqrt(x)) / root;
+  return std::log((std::sqrt(x) + root) / std::sqrt(y)) / root;  // the same, far from equality
 }
 
 double carlson_rf(double x, double y, double z) {
@@ -45,9 +47,9 @@ double carlson_rf(double x, double y, double z) {
   const double X = quarter * X0 / A;
   const double Y = quarter * Y0 / A;
   const double Z = -X - Y;
-  const double E2 = X * Y - Z * Z;
-  const double E3 = X * Y * Z;
-  return (1.0 - E2 / 10.0 + E3 / 14.0 + E2 * E2 / 24.0 - 3.0 * E2 * E3 / 44.0) / std::sqrt(A);
+  const double e_2 = X * Y - Z * Z;
+  const double e_3 = X * Y * Z;
+  return (1.0 - e_2 / 10.0 + e_3 / 14.0 + e_2 * e_2 / 24.0 - 3.0 * e_2 * e_3 / 44.0) / std::sqrt(A);
 }
 
 double carlson_rj(double x, double y, double z, double p) {
@@ -55,7 +57,6 @@ double carlson_rj(double x, double y, double z, double p) {
   const double X0 = mean - x;
   const double Y0 = mean - y;
   const double Z0 = mean - z;
-  double delta = (p - x) * (p - y) * (p - z);
   const double spread =
       closeness * std::max(largest(std::abs(X0), std::abs(Y0), std::abs(Z0)), std::abs(mean - p));
   double A = mean;
@@ -68,25 +69,25 @@ double carlson_rj(double x, double y, double z, double p) {
     const double root_p = std::sqrt(p);
     const double lambda = root_x * (root_y + root_z) + root_y * root_z;
     const double d = (root_p + root_x) * (root_p + root_y) * (root_p + root_z);
-    sum += quarter / d * carlson_rc(1.0, 1.0 + delta / d / d);
+    // 1 + (p − x)(p − y)(p − z) / d² without its cancellation for small p.
+    sum += quarter / d * carlson_rc(1.0, 2.0 * root_p * (p + lambda) / d);
     x = 0.25 * (x + lambda);
     y = 0.25 * (y + lambda);
     z = 0.25 * (z + lambda);
     p = 0.25 * (p + lambda);
     A = 0.25 * (A + lambda);
     quarter *= 0.25;
-    delta /= 64.0;
   }
   const double X = quarter * X0 / A;
   const double Y = quarter * Y0 / A;
   const double Z = quarter * Z0 / A;
   const double P = -0.5 * (X + Y + Z);
-  const double E2 = X * Y + X * Z + Y * Z - 3.0 * P * P;
-  const double E3 = X * Y * Z + 2.0 * E2 * P + 4.0 * P * P * P;
-  const double E4 = (2.0 * X * Y * Z + E2 * P + 3.0 * P * P * P) * P;
-  const double E5 = X * Y * Z * P * P;
-  const double series = 1.0 - 3.0 * E2 / 14.0 + E3 / 6.0 + 9.0 * E2 * E2 / 88.0 - 3.0 * E4 / 22.0 -
-                        9.0 * E2 * E3 / 52.0 + 3.0 * E5 / 26.0;
+  const double e_2 = X * Y + X * Z + Y * Z - 3.0 * P * P;
+  const double e_3 = X * Y * Z + 2.0 * e_2 * P + 4.0 * P * P * P;
+  const double e_4 = (2.0 * X * Y * Z + e_2 * P + 3.0 * P * P * P) * P;
+  const double e_5 = X * Y * Z * P * P;
+  const double series = 1.0 - 3.0 * e_2 / 14.0 + e_3 / 6.0 + 9.0 * e_2 * e_2 / 88.0 -
+                        3.0 * e_4 / 22.0 - 9.0 * e_2 * e_3 / 52.0 + 3.0 * e_5 / 26.0;
   return quarter * series / (A * std::sqrt(A)) + 6.0 * sum;
 }
 

@@ -1,5 +1,7 @@
 #include "common/free_rotation_stepper.hpp"
 
+#include <algorithm>
+#include <array>
 #include <numbers>
 
 #include "common/attitude.hpp"
@@ -29,7 +31,6 @@ void FreeRotationStepper::prepare_steady(double dt) {
 void FreeRotationStepper::prepare(double dt) {
   const Polhode& curve = rotation_.polhode();
   complementary_parameter_ = curve.complementary_parameter;
-  if (complementary_parameter_ == 0.0) smallest_cn_ = 0.0;
   const Vec3& amplitudes = curve.amplitudes;
   const JacobiFunctions& start = curve.start;
   momentum_ = world_from_axes_ * amplitudes.cwiseProduct(Vec3(start.cn, start.sn, start.dn));
@@ -37,16 +38,16 @@ void FreeRotationStepper::prepare(double dt) {
   // The step from u = −v to v, whose middle is u = 0, gives k₀, k_c and k_d.
   const PolhodeAdvance half = polhode_advance(curve, 0.5 * dt);
   const auto& [S, C, D] = half.functions;
-  const double alpha = std::cos(half.precession);
-  const double beta = amplitudes.z() * D * std::sin(half.precession);
+  const double cosine = std::cos(half.precession);
+  const double sine = std::sin(half.precession);
+  const auto [a, b, g] = std::array{amplitudes.x(), amplitudes.y(), amplitudes.z()};
   const double across = std::hypot(C, curve.ratio * S);
-  const double cosine = C / across;
-  const double sine = curve.ratio * S / across;
-  k_.w() = alpha * cosine + beta * sine;
-  k_.x() = amplitudes.x() * across * std::sin(half.precession);
-  k_.z() = beta * cosine - alpha * sine;
-  // k_s from the step between two neighbouring middles.
-  k_.y() = (k_.z() * amplitudes.y() * C + k_.w() * amplitudes.x() * S) / amplitudes.z();
+  k_.w() = (cosine * C + sine * g * D * curve.ratio * S) / across;
+  k_.x() = sine * a * across;
+  k_.z() = (sine * g * D * C - cosine * curve.ratio * S) / across;
+  // From the step between two neighbouring middles, k_s = (k_d b C + k₀ a S) / g: written out, for
+  // g may be small.
+  k_.y() = (sine * b * D - cosine * (a / g) * curve.excess * S * C) / across;
   middle_ = jacobi_functions_of_sum(start, half.functions, complementary_parameter_);
 
   double u = curve.lambda * dt;
@@ -55,7 +56,7 @@ void FreeRotationStepper::prepare(double dt) {
   } else {
     u = std::remainder(u, 4.0 * quarter_period(complementary_parameter_));
   }
-  // Half the digits of cn are gone where e^u is 1e8; at 4, three.
+  // The addition theorem loses the digits of e^2u: at u = 4, three of sixteen.
   parts_ = std::max(1, static_cast<int>(std::ceil(std::abs(u) / 4.0)));
   const JacobiFunctions by = polhode_advance(curve, u / parts_ / curve.lambda).functions;
   const double k_squared = 1.0 - complementary_parameter_;

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "common/free_rotation.hpp"
 
@@ -35,21 +33,16 @@ class FreeRotationStepper {
   void prepare_steady(double dt);
   void prepare(double dt);
 
-  /// The sum is put back on its curve, since off it the map is unstable near the separatrix:
-  /// sn² + cn² = 1 by one step of Newton's method on the length, dn from sn and cn.
+  /// dn comes from sn and cn, so the three stay on their curve: off it the map is unstable near the
+  /// separatrix. An error of their common length changes sign from step to step and cannot grow.
   void advance_middle() {
     const auto& [s, c, d] = middle_;
     const double sine = s * whole_ + (by_sn_ * (c * d) - s * sine_loss_);
-    const double cosine =
-        std::max(smallest_cn_, c * whole_ - (c * cosine_loss_ + s * (by_sn_dn_ * d)));
+    const double cosine = c * whole_ - (c * cosine_loss_ + s * (by_sn_dn_ * d));
     const double inverse = 1.0 / (c * c + s * s * by_dn_squared_);  // 1 − k² sn² sn²
-    const double cosine_squared = cosine * cosine;
-    const double sine_squared = sine * sine;
-    const double off = (cosine_squared + sine_squared) * (inverse * inverse);
-    const double scale = inverse * (1.5 - 0.5 * off);
-    middle_.dn = scale * std::sqrt(cosine_squared + complementary_parameter_ * sine_squared);
-    middle_.sn = sine * scale;
-    middle_.cn = cosine * scale;
+    middle_.dn = inverse * std::sqrt(cosine * cosine + complementary_parameter_ * (sine * sine));
+    middle_.sn = inverse * sine;
+    middle_.cn = inverse * cosine;
   }
 
   FreeRotation rotation_;
@@ -68,7 +61,6 @@ class FreeRotationStepper {
   double by_dn_squared_ = 1.0;
   double by_sn_dn_ = 0.0;
   double complementary_parameter_ = 1.0;
-  double smallest_cn_ = -std::numeric_limits<double>::infinity();
 };
 
 }  // namespace common

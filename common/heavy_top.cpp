@@ -87,9 +87,9 @@ void LagrangeTop::find_turning_points() {
   from_down_2_ = down + delta_2;
   // f(1) = −(b − a)² and f(−1) = −(b + a)² give what would cancel in 1 − u₂, u₃ − 1 and 1 + u₁.
   const double Q = 4.0 * half_up_ * half_up_ / (beta * from_up_1_);
-  const double half_R = 0.5 * (delta_3 + delta_2) - up;
-  const double root = std::sqrt(half_R * half_R + Q);  // half of u₃ − u₂
-  from_up_2_ = half_R > 0.0 ? Q / (root + half_R) : root - half_R;
+  const double half_gap = 0.5 * (delta_3 + delta_2) - up;
+  const double root = std::sqrt(half_gap * half_gap + Q);  // half of u₃ − u₂
+  from_up_2_ = half_gap > 0.0 ? Q / (root + half_gap) : root - half_gap;
   from_down_1_ = 4.0 * half_down_ * half_down_ / (beta * from_down_2_ * (2.0 + delta_3 - up));
   if (!(std::min(from_up_2_, from_down_1_) > 0.5 * smallest_tilt * smallest_tilt)) {
     throw std::invalid_argument("heavy top: the axis comes too close to the vertical");

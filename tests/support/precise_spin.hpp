@@ -30,7 +30,8 @@ struct PreciseBody {
 class PreciseSpin {
  public:
   /// The start's quaternion is made unit in all digits.
-  PreciseSpin(const PreciseBody& body, const common::Spin& start) : weight_(body.weight_moment) {
+  PreciseSpin(const PreciseBody& body, const common::Spin& start)
+      : weight_(Precise(body.weight_moment)) {
     const common::Quat& q = start.world_from_body;
     q_ = {Precise(q.w()), Precise(q.x()), Precise(q.y()), Precise(q.z())};
     normalize();
@@ -132,19 +133,20 @@ class PreciseSpin {
   void expand_by_one(std::size_t n) {
     const auto& [q0, q1, q2, q3] = series_q_;
     const auto& [x, y, z] = series_w_;
-    const Precise next(static_cast<double>(n + 1));
+    const auto next = Precise(static_cast<double>(n + 1));
     series_q_[0][n + 1] = -(term(q1, x, n) + term(q2, y, n) + term(q3, z, n)) / (2 * next);
     series_q_[1][n + 1] = (term(q0, x, n) + term(q2, z, n) - term(q3, y, n)) / (2 * next);
     series_q_[2][n + 1] = (term(q0, y, n) + term(q3, x, n) - term(q1, z, n)) / (2 * next);
     series_q_[3][n + 1] = (term(q0, z, n) + term(q1, y, n) - term(q2, x, n)) / (2 * next);
     std::array<Precise, 3> torque{};
-    if (weight_ != 0.0) torque = {weight_ * series_up_[1][n], -weight_ * series_up_[0][n], 0};
+    if (weight_ != Precise(0))
+      torque = {weight_ * series_up_[1][n], -weight_ * series_up_[0][n], Precise(0)};
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3;
       const std::size_t k = (i + 2) % 3;
       const Precise gyration = (moments_[j] - moments_[k]) * term(series_w_[j], series_w_[k], n);
       series_w_[i][n + 1] = (gyration + torque[i]) / (moments_[i] * next);
-      if (weight_ == 0.0) continue;
+      if (weight_ == Precise(0)) continue;
       series_up_[i][n + 1] =
           (term(series_up_[j], series_w_[k], n) - term(series_up_[k], series_w_[j], n)) / next;
     }
@@ -172,7 +174,7 @@ class PreciseSpin {
     return h;
   }
 
-  double weight_;
+  Precise weight_;
   std::array<Precise, 4> q_{};
   std::array<Precise, 3> w_{};
   std::array<Precise, 3> moments_{};

@@ -2,21 +2,11 @@
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include "common/attitude.hpp"
 
 namespace common {
 namespace {
-
-Spin checked_start(const Spin& start) {
-  const double length = start.world_from_body.coeffs().stableNorm();
-  if (!start.angular_velocity_body.allFinite() || !std::isfinite(length) || length == 0.0) {
-    throw std::invalid_argument("free rotation: the start is not finite, or its attitude is zero");
-  }
-  return {Quat(Eigen::Vector4d(start.world_from_body.coeffs() / length)),
-          start.angular_velocity_body};
-}
 
 /// The rotation from the axes (c, s, d) to axes with z along the momentum and x along the line of
 /// nodes: Rx(θ) Rz(ψ) with tan ψ = m_c / m_s and tan θ = |(m_c, m_s)| / m_d.
@@ -48,7 +38,7 @@ double added_precession(const Polhode& curve, const JacobiFunctions& from,
 }  // namespace
 
 FreeRotation::FreeRotation(const Vec3& moments, const Spin& start)
-    : start_(checked_start(start)),
+    : start_(checked_spin(start)),
       polhode_(common::polhode(checked_moments(moments), start.angular_velocity_body)) {}
 
 Spin FreeRotation::at(double time) const {

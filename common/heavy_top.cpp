@@ -10,17 +10,12 @@
 namespace common {
 namespace {
 
-Spin checked_start(const HeavyTop& top, const Spin& start) {
+HeavyTop checked_top(const HeavyTop& top) {
   checked_moments({top.transverse_moment, top.transverse_moment, top.axial_moment});
   if (!std::isfinite(top.weight_moment) || top.weight_moment < 0.0) {
     throw std::invalid_argument("heavy top: the weight's moment is negative or not finite");
   }
-  const double length = start.world_from_body.coeffs().stableNorm();
-  if (!start.angular_velocity_body.allFinite() || !std::isfinite(length) || length == 0.0) {
-    throw std::invalid_argument("heavy top: the start is not finite, or its attitude is zero");
-  }
-  return {Quat(Eigen::Vector4d(start.world_from_body.coeffs() / length)),
-          start.angular_velocity_body};
+  return top;
 }
 
 /// The horizontal part of the vertical in the body: (γ₁, γ₂).
@@ -54,7 +49,7 @@ std::pair<double, double> roots_around_zero(double S, double q) {
 }  // namespace
 
 LagrangeTop::LagrangeTop(const HeavyTop& top, const Spin& start)
-    : top_(top), start_(checked_start(top, start)) {
+    : top_(checked_top(top)), start_(checked_spin(start)) {
   if (top_.weight_moment > 0.0) find_turning_points();
 }
 

@@ -1,5 +1,6 @@
 #include "common/spin.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <limits>
 #include <stdexcept>
@@ -25,6 +26,15 @@ Vec3 checked_moments(const Vec3& moments) {
     refuse(moments, "one is above the sum of the other two, which no body can have");
   }
   return moments;
+}
+
+Spin checked_spin(const Spin& spin) {
+  const double length = spin.world_from_body.coeffs().stableNorm();
+  if (!spin.angular_velocity_body.allFinite() || !std::isfinite(length) || length == 0.0) {
+    throw std::invalid_argument("spin: an entry is not finite, or the attitude is zero");
+  }
+  return {Quat(Eigen::Vector4d(spin.world_from_body.coeffs() / length)),
+          spin.angular_velocity_body};
 }
 
 }  // namespace common

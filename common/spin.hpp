@@ -16,4 +16,8 @@ struct Spin {
 /// Throws std::invalid_argument that names the moments and what is wrong with them.
 Vec3 checked_moments(const Vec3& moments);
 
+/// The spin with its attitude made unit.
+/// Throws std::invalid_argument where an entry is NaN or infinite, or the attitude is zero.
+Spin checked_spin(const Spin& spin);
+
 }  // namespace common

@@ -92,8 +92,9 @@ double greatest_lean(double axial_speed, double dt, double duration) {
   for (int i = 0; i * dt < duration; ++i) {
     spin = step_kick_drift_kick(course_top, spin, dt);
     const Vec3 axis = spin.world_from_body * Vec3::UnitZ();
+    if (!axis.allFinite()) return HUGE_VAL;
     greatest = std::max(greatest, std::hypot(axis.x(), axis.y()));
-    if (!std::isfinite(greatest) || axis.z() < 0.0) return 1.0;
+    if (axis.z() < 0.0) return 1.0;
   }
   return greatest;
 }

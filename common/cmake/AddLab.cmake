@@ -21,6 +21,7 @@ function(add_lab name)
   file(GLOB test_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/${name}/*_test.cpp")
   _read_cases(cases ${test_sources})
   _add_program(${name}_test "${test_sources}" test_support)
+  target_precompile_headers(${name}_test REUSE_FROM test_support)
   _add_program(${name}_scene scene.cpp render_scene)
   _add_program(${name}_chart chart.cpp render_chart)
 

@@ -22,7 +22,8 @@ if(TARGET render_scene)
     COMMAND render_gallery_program "${CMAKE_BINARY_DIR}/gallery.png" 1920 1080 report
     COMMENT "Drawing ${CMAKE_BINARY_DIR}/gallery.png" VERBATIM)
 
-  add_executable(render_benchmark render_benchmark.cpp)
+  add_executable(render_benchmark render_benchmark.cpp render_yardstick.cpp)
+  target_include_directories(render_benchmark SYSTEM PRIVATE "${STB_INCLUDE_DIR}")
   target_link_libraries(render_benchmark
     PRIVATE render_gallery_scene render_picture benchmark::benchmark project_flags)
 

@@ -211,7 +211,7 @@ render::Film make_film() {
   film.subtitle = "L rests, ω does not; the explicit loop (orange) runs off the energy ellipsoid";
   film.parameters = "I = (1, 2, 3) kg m², a turn a second about the stem; dt = 0.02 s";
   film.duration = duration;
-  film.strip_times = {0.0, 1.3, 1.6, 2.2, 4.7, 6.4};
+  film.strip_times = {0.0, 1.6, 2.2, 6.4};
   film.bounds = {{-2.6, -0.9, 0.0}, {2.9, 0.7, 2.45}};
   film.towards_eye = {0.1, -2.2, 0.6};
 

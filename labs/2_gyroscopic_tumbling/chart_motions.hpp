@@ -53,6 +53,8 @@ struct Stepping {
   void advance() { now = step(now); }
   [[nodiscard]] const Spin& spin() const { return now; }
 };
+template <typename Step>
+Stepping(Spin, Step) -> Stepping<Step>;
 
 /// The loop of step 2.2 with its own state, under the weight and what holds the fixed point.
 struct Loop {
@@ -93,7 +95,7 @@ struct PeerMotion {
 
 /// The motion under a step (moments, spin, dt) -> spin of the contract.
 template <typename Step>
-auto by(const Step& step) {
+auto by(Step step) {
   return [step](const Problem& problem, double dt) {
     return Stepping{problem.start, [step, moments = problem.moments, dt](const Spin& spin) {
                       return step(moments, spin, dt);
@@ -125,7 +127,7 @@ inline auto exactly() {
 
 /// Half a kick, a free step, half a kick.
 template <typename Step>
-auto between_kicks(const Step& free_step) {
+auto between_kicks(Step free_step) {
   return [free_step](const Problem& problem, double dt) {
     const auto kicked = [moments = problem.moments, dt](Spin spin) {
       const Vec3 torque = weight_torque_body(heavy_top, spin.world_from_body);

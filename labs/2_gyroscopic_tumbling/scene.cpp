@@ -30,8 +30,7 @@ const Vec3 top_pivot(2.0, 0.0, 0.0);
 /// About the stem, the intermediate axis, off by a hundredth: it turns over every three seconds.
 Spin handle_start() {
   const Vec3 omega = 2.0 * std::numbers::pi * Vec3(0.01, 1.0, 0.01).normalized();
-  const Quat stem_up(Eigen::AngleAxisd(0.5 * std::numbers::pi, Vec3::UnitX()));
-  return {stem_up, omega};
+  return {Quat(Eigen::AngleAxisd(0.5 * std::numbers::pi, Vec3::UnitX())), omega};  // stem up
 }
 
 /// Leant over by 30 degrees, its axis let go at rest.
@@ -75,14 +74,21 @@ Vec3 momentum(const Spin& spin) {
   return spin.world_from_body * moments.cwiseProduct(spin.angular_velocity_body);
 }
 
-/// A capsule along an axis of the body, from one end to the other.
-void add_rod(render::Scene& scene, const Vec3& center, const Mat3& R, const Vec3& from,
-             const Vec3& to, double radius, const render::Paint& paint) {
-  const Quat along = Quat::FromTwoVectors(Vec3::UnitZ(), to - from);
-  scene.capsules.push_back({{center + R * (0.5 * (from + to)), R * along.toRotationMatrix()},
-                            radius,
-                            0.5 * (to - from).norm(),
-                            paint});
+/// A capsule that is part of a body, from one end to the other in body axes.
+struct Rod {
+  Vec3 from;
+  Vec3 to;
+  double radius;
+  render::Colour colour;
+};
+
+void add_rod(render::Scene& scene, const Vec3& center, const Mat3& R, const Rod& rod) {
+  const Quat along = Quat::FromTwoVectors(Vec3::UnitZ(), rod.to - rod.from);
+  scene.capsules.push_back(
+      {{center + R * (0.5 * (rod.from + rod.to)), R * along.toRotationMatrix()},
+       rod.radius,
+       0.5 * (rod.to - rod.from).norm(),
+       {rod.colour, rod.colour}});
 }
 
 void add_arrow(render::Scene& scene, const Vec3& tail, const Vec3& tip, const char* name,
@@ -102,9 +108,9 @@ void add_handle(render::Scene& scene, const Track& track, double time) {
   const Spin& spin = track[step_at(time)];
   const Mat3 R = spin.world_from_body.toRotationMatrix();
   const Vec3 joint(0.0, -0.2, 0.0);
-  add_rod(scene, handle_center, R, joint, {0.62, -0.2, 0.0}, 0.13, {palette::orange});
-  add_rod(scene, handle_center, R, joint, {-0.62, -0.2, 0.0}, 0.13, {palette::blue});
-  add_rod(scene, handle_center, R, joint, {0.0, 0.55, 0.0}, 0.09, {palette::grey});
+  add_rod(scene, handle_center, R, {joint, {0.62, -0.2, 0.0}, 0.13, palette::orange});
+  add_rod(scene, handle_center, R, {joint, {-0.62, -0.2, 0.0}, 0.13, palette::blue});
+  add_rod(scene, handle_center, R, {joint, {0.0, 0.55, 0.0}, 0.09, palette::grey});
   const Vec3 L = momentum(spin).normalized();
   const Vec3 omega = spin.world_from_body * spin.angular_velocity_body;
   add_name(scene, handle_center, "RK4");
@@ -168,7 +174,7 @@ void add_top(render::Scene& scene, const Track& track, double time) {
   };
   const Mat3 R = track[step_at(time)].world_from_body.toRotationMatrix();
   add_name(scene, top_pivot, "kick-drift-kick");
-  add_rod(scene, top_pivot, R, {0.0, 0.0, 0.05}, {0.0, 0.0, 1.7}, 0.05, {palette::grey});
+  add_rod(scene, top_pivot, R, {{0.0, 0.0, 0.05}, {0.0, 0.0, 1.7}, 0.05, palette::grey});
   scene.cylinders.push_back(
       {{top_pivot + 1.0 * R.col(2), R}, 0.6, 0.09, {palette::purple, palette::purple}});
   scene.spheres.push_back({{top_pivot + R * Vec3(0.6, 0.0, 1.0), R}, 0.1, {palette::yellow}});

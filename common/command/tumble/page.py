@@ -88,7 +88,8 @@ def _stage(film: Film, out: Path) -> str:
 def _facts(film: Film) -> str:
     """Wide gaps part the facts in the strip's foot; here each has its own line."""
     lines = re.split(r"\s{2,}", f"{film.measured}  {film.parameters}")
-    return "".join(f"<p>{escape(line)}</p>" for line in lines if line) + _missing(film.missing)
+    facts = "".join(f"<p>{escape(line.rstrip(';'))}</p>" for line in lines if line)
+    return facts + _missing(film.missing)
 
 
 def _strip(film: Film, out: Path) -> str:

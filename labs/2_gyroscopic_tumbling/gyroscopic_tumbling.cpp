@@ -152,7 +152,8 @@ Vec3 corrected_moments(const Vec3& moments, const MomentCorrection& correction) 
 Quat moser_veselov_increment(const Vec3& moments, const Vec3& angular_momentum_body, double dt) {
   // TODO step 2.8, eq. (24)
   // 1. Divide by p0²: with e = p/p0 and 1/p0² = 1 + |e|² that is three equations for e.
-  // 2. Solve them for I_i e_i and iterate from e = 0 until e rests, or by Newton's method.
+  // 2. Solve them for I_i e_i and iterate from e = 0, or use Newton's method, until e changes by a
+  // few ulp only (it need not come to rest quite).
   // 3. Give up with std::domain_error where it does not come to rest.
   // 4. p = (1, e), normalised.
   throw common::NotImplemented("2.8 moser_veselov_increment");

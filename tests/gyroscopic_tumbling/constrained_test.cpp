@@ -19,11 +19,11 @@ double distance(const Quat& a, const Quat& b) {
   return tests::length(Quat(a.coeffs() - b.coeffs()));
 }
 
-Quat predicted(const Quat& q, const Vec3& omega, Real dt, Real half = 0.5L,
+Quat predicted(const Quat& q, const Vec3& omega, double dt, Real half = 0.5L,
                bool body_side = false) {
   const QuatL rate =
       body_side ? wide(q) * tests::pure(wide(omega)) : tests::pure(wide(omega)) * wide(q);
-  return narrow(tests::sum(wide(q), half * dt, rate));
+  return narrow(tests::sum(wide(q), half * wide(dt), rate));
 }
 
 }  // namespace
@@ -132,6 +132,29 @@ TEST_CASE("Zero has no nearest unit quaternion and NaN has none either", "[2.7]"
     Trial("2.7 project", ++index, 3)
         .given("q_pred", bad)
         .expect_throw([&] { return project(bad); }, "no unit quaternion is nearest");
+  }
+}
+
+TEST_CASE("However slow the spin the prediction and the constrained step turn by it", "[2.7]") {
+  tests::Random random(275);
+  for (int i = 1; i <= 40; ++i) {
+    const RigidBody body{1.0, tests::random_moments(random)};
+    const RigidBodyState state = tests::slow_state(random);
+    const Vec3& omega = state.angular_velocity;
+    const double dt = tests::dt_of_turn(random, omega.norm());
+    const Quat& q = state.world_from_body;
+    const Quat got = predicted_attitude(q, omega, dt);
+    Trial("2.7 predicted_attitude", i, 40)
+        .given("world_from_body", q)
+        .given("angular_velocity", omega)
+        .given("dt", dt)
+        .expect_small("distance from q + dt omega q / 2", distance(got, predicted(q, omega, dt)),
+                      {32.0 * eps, "some 30 operations on numbers up to 2"},
+                      distance(got, q) == 0.0
+                          ? "nothing happens: a guard against small numbers is too wide"
+                          : "");
+    tests::expect_loop(tests::loop_trial("2.7 step_constrained", body, state, {}, dt, i, 40), body,
+                       state, {}, dt, step_constrained(body, state, {}, dt));
   }
 }
 

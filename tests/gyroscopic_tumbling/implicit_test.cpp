@@ -57,7 +57,9 @@ SpinL implicit(const Vec3& moments, const Spin& spin, Real dt, const Variation& 
 
 std::vector<tests::Suspect<tests::SpinValue>> suspects_of(const Vec3& moments, const Spin& spin,
                                                           double dt) {
-  const auto with = [&](const Variation& v) { return narrow(implicit(moments, spin, dt, v)); };
+  const auto with = [&](const Variation& v) {
+    return narrow(implicit(moments, spin, wide(dt), v));
+  };
   return {
       {with({.gyroscopic = -1}), tests::flipped},
       {with({.gyroscopic = 0}), tests::forgotten},
@@ -111,9 +113,9 @@ TEST_CASE("The residual takes the gyroscopic term at the new velocity", "[2.3]")
     equation_trial("2.3 implicit_residual", moments, next, dt, i, 100)
         .given("angular_velocity_body", old)
         .expect(implicit_residual(moments, old, next, dt),
-                narrow(residual(I, wide(old), wide(next), dt)),
+                narrow(residual(I, wide(old), wide(next), wide(dt))),
                 {32.0 * eps * 100.0, "some 15 operations on terms up to 100"},
-                {{narrow(residual(I, wide(old), wide(next), dt, -1)), tests::flipped},
+                {{narrow(residual(I, wide(old), wide(next), wide(dt), -1)), tests::flipped},
                  {narrow(change), tests::forgotten},
                  {narrow(change + Real(dt) * at_old),
                   "the gyroscopic term is taken at the old velocity: that is the explicit step"},
@@ -128,7 +130,7 @@ TEST_CASE("The Jacobian is the derivative of the residual", "[2.3]") {
     const Vec3 omega = random.vector(4.0);
     const double dt = random.uniform(0.01, 0.3);
     const auto with = [&](const Variation& v) {
-      return Mat3(jacobian(wide(moments), wide(omega), dt, v).cast<double>());
+      return Mat3(jacobian(wide(moments), wide(omega), wide(dt), v).cast<double>());
     };
     equation_trial("2.3 implicit_jacobian", moments, omega, dt, i, 100)
         .expect(implicit_jacobian(moments, omega, dt), with({}),
@@ -152,11 +154,22 @@ TEST_CASE("An implicit step is one Newton step and a turn by the new velocity", 
     tests::spin_trial(function, moments, spin, i, 100)
         .given("dt", dt)
         .expect(tests::value_of(step_implicit(moments, spin, dt)),
-                narrow(implicit(moments, spin, dt)),
+                narrow(implicit(moments, spin, wide(dt))),
                 {256.0 * eps * condition,
                  "some 100 operations and a 3 x 3 system of condition "
                  "about that of the moments"},
                 suspects_of(moments, spin, dt));
+  }
+}
+
+TEST_CASE("An implicit step is the same at any pace", "[2.3]") {
+  tests::Random random(234);
+  for (int i = 1; i <= 100; ++i) {
+    const Vec3 moments = tests::random_moments(random);
+    const tests::Paced paced = tests::random_pace(random, 0.3);
+    tests::expect_paced(tests::spin_trial(function, moments, paced.spin, i, 100), paced,
+                        step_implicit(moments, paced.spin, paced.dt),
+                        implicit(moments, paced.spin, wide(paced.dt)));
   }
 }
 

@@ -23,8 +23,9 @@ struct LoopL {
 
 inline LoopL loop(const lab::gyroscopic_tumbling::RigidBody& body,
                   const lab::gyroscopic_tumbling::RigidBodyState& state,
-                  const std::vector<lab::gyroscopic_tumbling::AppliedForce>& forces, Real dt,
+                  const std::vector<lab::gyroscopic_tumbling::AppliedForce>& forces, double step,
                   const LoopVariation& variation = {}) {
+  const Real dt = wide(step);
   const VecL x = wide(state.position);
   const VecL omega = wide(state.angular_velocity);
   const QuatL q = wide(state.world_from_body);
@@ -115,6 +116,20 @@ inline void expect_loop(const Trial& trial, const lab::gyroscopic_tumbling::Rigi
   trial.of("the attitude")
       .expect(got.world_from_body, narrow(wanted.q),
               {2048.0 * eps * size, "as the angular velocity that turns it"}, attitudes);
+}
+
+/// At rest but for a spin of at most a radian a second, mostly far less.
+inline lab::gyroscopic_tumbling::RigidBodyState slow_state(Random& random) {
+  lab::gyroscopic_tumbling::RigidBodyState state;
+  state.world_from_body = random.attitude();
+  state.angular_velocity = std::pow(10.0, random.uniform(-9.0, 0.0)) * random.direction();
+  return state;
+}
+
+/// A step of either sign in which a body at that speed turns by up to a radian.
+inline double dt_of_turn(Random& random, double speed) {
+  const double sign = random.uniform(0.0, 1.0) < 0.5 ? -1.0 : 1.0;
+  return sign * std::pow(10.0, random.uniform(-6.0, 0.0)) / speed;
 }
 
 inline lab::gyroscopic_tumbling::RigidBodyState random_state(Random& random) {

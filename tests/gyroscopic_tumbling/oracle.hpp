@@ -16,6 +16,7 @@ using VecL = Eigen::Matrix<Real, 3, 1>;
 using MatL = Eigen::Matrix<Real, 3, 3>;
 using QuatL = Eigen::Quaternion<Real>;
 
+inline Real wide(double x) { return static_cast<Real>(x); }
 inline VecL wide(const common::Vec3& v) { return v.cast<Real>(); }
 inline QuatL wide(const common::Quat& q) { return q.cast<Real>(); }
 inline common::Vec3 narrow(const VecL& v) { return v.cast<double>(); }
@@ -72,15 +73,16 @@ inline SpinL wide(const common::Spin& spin) {
   return {wide(spin.world_from_body), wide(spin.angular_velocity_body)};
 }
 
-/// In units of the angular velocity, or of 1 rad/s where that is small.
+/// In units of the angular velocity.
 inline SpinValue narrow(const SpinL& spin) {
-  return {{narrow(spin.q), narrow(spin.omega)},
-          std::max(1.0, static_cast<double>(spin.omega.norm()))};
+  const auto speed = static_cast<double>(spin.omega.norm());
+  return {{narrow(spin.q), narrow(spin.omega)}, speed > 0.0 ? speed : 1.0};
 }
 
 /// What a method returned, as a value of a trial.
 inline SpinValue value_of(const common::Spin& spin) {
-  return {spin, std::max(1.0, spin.angular_velocity_body.norm())};
+  const double speed = spin.angular_velocity_body.norm();
+  return {spin, speed > 0.0 ? speed : 1.0};
 }
 
 /// Three distinct moments of a body without symmetry, in any order.
@@ -110,6 +112,30 @@ inline Trial spin_trial(const std::string& function, const common::Vec3& moments
 /// Moments whose inverses are scaled and shifted.
 inline VecL corrected(const VecL& I, Real scale, Real shift) {
   return ((1 + scale) * I.cwiseInverse().array() + shift).inverse();
+}
+
+/// A motion at any pace: s times as fast for 1/s of the time is the same. A guard against slow
+/// spins or long steps, or a step that is clamped, shows here.
+struct Paced {
+  common::Spin spin;
+  double dt;
+};
+inline Paced random_pace(Random& random, double largest_turn) {
+  const double speed = std::pow(10.0, random.uniform(-9.0, 6.0));
+  const double turn = largest_turn * std::pow(10.0, random.uniform(-6.0, 0.0));
+  const double sign = random.uniform(0.0, 1.0) < 0.5 ? -1.0 : 1.0;
+  return {{random.attitude(), speed * random.direction()}, sign * turn / speed};
+}
+
+/// Requires that a step at some pace is its formula; where nothing was done it says so.
+inline void expect_paced(const Trial& trial, const Paced& paced, const common::Spin& got,
+                         const SpinL& wanted) {
+  Trial(trial)
+      .given("dt", paced.dt)
+      .expect(
+          value_of(got), narrow(wanted),
+          {4096.0 * eps, "as at ordinary paces, in units of the angular velocity"},
+          {{value_of(paced.spin), "nothing happens: a guard against small numbers is too wide"}});
 }
 
 /// Stories that several steps tell.

@@ -72,7 +72,7 @@ std::vector<tests::Suspect<tests::SpinValue>> suspects_of(const Vec3& moments, c
   stories.push_back({{.share = 1}, "the outer four last dt each, want dt/2"});
   std::vector<tests::Suspect<tests::SpinValue>> suspects;
   for (const Story& story : stories) {
-    suspects.push_back({narrow(splitting(moments, spin, dt, story.variation)), story.text});
+    suspects.push_back({narrow(splitting(moments, spin, wide(dt), story.variation)), story.text});
   }
   return suspects;
 }
@@ -126,13 +126,14 @@ TEST_CASE("A sub-rotation turns the attitude forwards and the momentum back", "[
     std::vector<tests::Suspect<tests::SpinValue>> suspects;
     for (const Story& story : turn_stories()) {
       suspects.push_back(
-          {narrow(about_axis(wide(moments), wide(spin), axis, dt, story.variation)), story.text});
+          {narrow(about_axis(wide(moments), wide(spin), axis, wide(dt), story.variation)),
+           story.text});
     }
     tests::spin_trial("2.5 step_about_axis", moments, spin, i, 90)
         .given("axis", static_cast<double>(axis))
         .given("dt", dt)
         .expect(tests::value_of(step_about_axis(moments, spin, axis, dt)),
-                narrow(about_axis(wide(moments), wide(spin), axis, dt)),
+                narrow(about_axis(wide(moments), wide(spin), axis, wide(dt))),
                 {512.0 * eps, "some 50 operations, and moments a factor 12 apart at most"},
                 suspects);
   }
@@ -147,7 +148,7 @@ TEST_CASE("The splitting takes the axes in the order one two three two one", "[2
     tests::spin_trial(function, moments, spin, i, 100)
         .given("dt", dt)
         .expect(tests::value_of(step_splitting(moments, spin, dt)),
-                narrow(splitting(moments, spin, dt)),
+                narrow(splitting(moments, spin, wide(dt))),
                 {2048.0 * eps, "five times some 50 operations, moments a factor 12 apart at most"},
                 suspects_of(moments, spin, dt));
   }
@@ -167,6 +168,31 @@ TEST_CASE("The splitting keeps the angular momentum as a world vector to roundin
         .of("L after 1000 steps of 0.1 s")
         .expect(momentum(spin), momentum(start),
                 {1000.0 * 32.0 * eps * momentum(start).norm(), "32 ulp a step, all the same way"});
+  }
+}
+
+TEST_CASE("A sub-rotation is the same at any pace", "[2.5]") {
+  tests::Random random(255);
+  for (int i = 1; i <= 90; ++i) {
+    const Vec3 moments = tests::random_moments(random);
+    const tests::Paced paced = tests::random_pace(random, 3.0);
+    const int axis = i % 3;
+    tests::expect_paced(
+        tests::spin_trial("2.5 step_about_axis", moments, paced.spin, i, 90)
+            .given("axis", static_cast<double>(axis)),
+        paced, step_about_axis(moments, paced.spin, axis, paced.dt),
+        about_axis(wide(moments), wide(paced.spin), axis, static_cast<Real>(paced.dt)));
+  }
+}
+
+TEST_CASE("A splitting step is the same at any pace", "[2.5]") {
+  tests::Random random(256);
+  for (int i = 1; i <= 100; ++i) {
+    const Vec3 moments = tests::random_moments(random);
+    const tests::Paced paced = tests::random_pace(random, 1.0);
+    tests::expect_paced(tests::spin_trial(function, moments, paced.spin, i, 100), paced,
+                        step_splitting(moments, paced.spin, paced.dt),
+                        splitting(moments, paced.spin, wide(paced.dt)));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <exception>
 #include <iostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -81,9 +82,24 @@ class Trial {
     REQUIRE(error <= bound.value);
   }
 
-  /// Requires that the call throws; NotImplemented passes through.
-  /// likely  the mistake where it returns a value, or empty
+  /// What the call returns; an exception is explained with the input. NotImplemented passes
+  /// through.
   template <typename Call>
+  auto returned(const Call& call) const {
+    try {
+      return call();
+    } catch (const common::NotImplemented&) {
+      throw;
+    } catch (const std::exception& error) {
+      explain(std::string("an exception: ") + error.what(), "a value", "there is an answer", "",
+              {});
+      throw;
+    }
+  }
+
+  /// Requires that the call throws an Expected; NotImplemented passes through.
+  /// likely  the mistake where it returns a value, or empty
+  template <typename Expected = std::invalid_argument, typename Call>
   void expect_throw(const Call& call, const std::string& why,
                     const std::string& likely = "") const {
     try {
@@ -93,11 +109,14 @@ class Trial {
       explain(text(got), wanted, error, "", named(likely));
     } catch (const common::NotImplemented&) {
       throw;
-    } catch (const std::exception&) {
+    } catch (const Expected&) {
       SUCCEED("it throws");
       return;
+    } catch (const std::exception& error) {
+      explain(std::string("an exception of another type: ") + error.what(),
+              "the type that the header names", "why: " + why, "", {});
     }
-    FAIL(step_ << " returned a value, but must throw: " << why);
+    FAIL(step_ << " must throw what the header says: " << why);
   }
 
  private:

@@ -39,8 +39,8 @@ struct AppliedForce {
 };
 
 /// The moments, where a body can have them: finite, above zero, and I_i ≤ I_j + I_k, equal for a
-/// flat body. An excess of 4e-16 of the greatest is rounding and passes; from 1e-14 on, and for all
-/// else that is wrong, throws std::invalid_argument.                                   eq. (1)
+/// flat body. An excess of up to 4e-16 of the greatest is rounding and passes. From 1e-14 on, and
+/// for all else, throws std::invalid_argument; in between either is right.             eq. (1)
 Vec3 checked_moments(const Vec3& moments);
 
 /// dω/dt = I⁻¹ (T − ω × I ω) [rad/s²], all in the same axes: the world's, or the body's.  eq. (2)

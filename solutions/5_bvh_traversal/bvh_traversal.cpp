@@ -1,0 +1,522 @@
+#include "bvh_traversal.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "common/orientation.hpp"
+#include "common/require.hpp"
+
+namespace lab::bvh_traversal {
+
+// ---- Step 5.1 ----
+
+Box box_of(const Triangle& triangle) {
+  const auto& [a, b, c] = triangle;
+  return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+}
+
+Box merged(const Box& a, const Box& b) { return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)}; }
+
+bool overlap(const Box& a, const Box& b) {
+  return a.low.x() <= b.high.x() && b.low.x() <= a.high.x() &&  //
+         a.low.y() <= b.high.y() && b.low.y() <= a.high.y() &&  //
+         a.low.z() <= b.high.z() && b.low.z() <= a.high.z();
+}
+
+double surface_area(const Box& box) {
+  const Vec3 side = box.high - box.low;
+  if (!(side.x() >= 0.0)) return 0.0;  // empty: its sides are negative, their products are not
+  return 2.0 * (side.x() * side.y() + side.y() * side.z() + side.z() * side.x());
+}
+
+// ---- Step 5.2 ----
+
+namespace {
+
+/// A triangle while the tree is built.
+struct Entry {
+  Box box;
+  Vec3 centroid;
+  std::uint32_t triangle;
+};
+
+using Entries = std::vector<Entry>;
+using Iterator = Entries::iterator;
+
+/// Halves the entries across the axis along which their centroids spread furthest.
+Iterator halved(Iterator begin, Iterator end) {
+  Box spread;
+  for (Iterator i = begin; i != end; ++i) spread = merged(spread, {i->centroid, i->centroid});
+  Eigen::Index axis = 0;
+  (spread.high - spread.low).maxCoeff(&axis);
+  // By number, not by place: equal centroids are halved like any others.
+  const Iterator middle = begin + (end - begin) / 2;
+  std::nth_element(begin, middle, end, [axis](const Entry& a, const Entry& b) {
+    return a.centroid[axis] < b.centroid[axis];
+  });
+  return middle;
+}
+
+template <typename Cut>
+class Builder {
+ public:
+  Builder(const TriangleMesh& mesh, int leaf_size, const Cut& cut)
+      : leaf_size_(leaf_size), cut_(cut) {
+    common::require_sound(mesh);
+    if (leaf_size < 1) {
+      throw std::invalid_argument("leaf_size: want 1 or more, got " + std::to_string(leaf_size));
+    }
+    const std::size_t n = mesh.triangles.size();
+    entries_.reserve(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      const Triangle t = triangle(mesh, i);
+      entries_.push_back({box_of(t), (t[0] + t[1] + t[2]) / 3.0, static_cast<std::uint32_t>(i)});
+    }
+  }
+
+  Bvh build(const TriangleMesh& mesh) {
+    bvh_.nodes.reserve(2 * entries_.size());
+    bvh_.nodes.emplace_back();
+    build(0, entries_.begin(), entries_.end(), 0);
+    bvh_.triangles.reserve(entries_.size());
+    bvh_.corners.reserve(entries_.size());
+    for (const Entry& entry : entries_) {
+      bvh_.triangles.push_back(entry.triangle);
+      bvh_.corners.push_back(triangle(mesh, entry.triangle));
+    }
+    return std::move(bvh_);
+  }
+
+ private:
+  Box build(std::uint32_t index, Iterator begin, Iterator end, int depth) {
+    Box box;
+    BvhNode node;
+    if (end - begin <= leaf_size_) {
+      node.first = static_cast<std::uint32_t>(begin - entries_.begin());
+      node.count = static_cast<std::uint32_t>(end - begin);
+      for (Iterator i = begin; i != end; ++i) box = merged(box, i->box);
+    } else {
+      node.first = static_cast<std::uint32_t>(bvh_.nodes.size());
+      bvh_.nodes.resize(bvh_.nodes.size() + 2);
+      const Iterator middle = cut_(begin, end, depth);
+      box = build(node.first, begin, middle, depth + 1);
+      box = merged(box, build(node.first + 1, middle, end, depth + 1));
+    }
+    node.box = box;
+    bvh_.nodes[index] = node;
+    return box;
+  }
+
+  int leaf_size_;
+  const Cut& cut_;
+  Entries entries_;
+  Bvh bvh_;
+};
+
+}  // namespace
+
+Bvh build_median(const TriangleMesh& mesh, int leaf_size) {
+  const auto cut = [](Iterator begin, Iterator end, int) { return halved(begin, end); };
+  return Builder(mesh, leaf_size, cut).build(mesh);
+}
+
+// ---- Step 5.3 ----
+
+namespace {
+
+bool is_leaf(const BvhNode& node) { return node.count > 0; }
+
+/// Of the two nodes: the one whose box has the larger surface area, a where they are equal.
+bool a_is_bigger(const BvhNode& a, const BvhNode& b) {
+  return surface_area(a.box) >= surface_area(b.box);
+}
+
+}  // namespace
+
+Traversal traverse_as_first_written(const Bvh& a, const Bvh& b) {
+  Traversal found;
+  std::vector<NodePair> stack{{0, 0}};
+  while (!stack.empty()) {
+    const NodePair pair = stack.back();
+    stack.pop_back();
+    const BvhNode& node_a = a.nodes[pair.a];
+    const BvhNode& node_b = b.nodes[pair.b];
+    ++found.box_tests;
+    if (!overlap(node_a.box, node_b.box)) continue;
+    const bool bigger_is_a = a_is_bigger(node_a, node_b);
+    const BvhNode& bigger = bigger_is_a ? node_a : node_b;
+    if (is_leaf(bigger)) {
+      found.ends.push_back(pair);
+      continue;
+    }
+    for (const std::uint32_t child : {bigger.first, bigger.first + 1}) {
+      stack.push_back(bigger_is_a ? NodePair{child, pair.b} : NodePair{pair.a, child});
+    }
+  }
+  std::sort(found.ends.begin(), found.ends.end());
+  return found;
+}
+
+// ---- Step 5.4 ----
+
+namespace {
+
+/// Whether to go on with the children of a, else of b: not both are leaves.
+bool descend_a(const BvhNode& a, const BvhNode& b) {
+  if (is_leaf(a)) return false;
+  if (is_leaf(b)) return true;
+  return a_is_bigger(a, b);
+}
+
+/// Calls at_leaves with each pair of leaves whose boxes overlap. Returns the number of box tests.
+template <typename AtLeaves>
+std::uint64_t for_each_pair_of_leaves(const Bvh& a, const Bvh& b, const AtLeaves& at_leaves) {
+  std::uint64_t box_tests = 0;
+  std::vector<NodePair> stack{{0, 0}};
+  while (!stack.empty()) {
+    const NodePair pair = stack.back();
+    stack.pop_back();
+    const BvhNode& node_a = a.nodes[pair.a];
+    const BvhNode& node_b = b.nodes[pair.b];
+    ++box_tests;
+    if (!overlap(node_a.box, node_b.box)) continue;
+    if (is_leaf(node_a) && is_leaf(node_b)) {
+      at_leaves(pair);
+    } else if (descend_a(node_a, node_b)) {
+      stack.push_back({node_a.first, pair.b});
+      stack.push_back({node_a.first + 1, pair.b});
+    } else {
+      stack.push_back({pair.a, node_b.first});
+      stack.push_back({pair.a, node_b.first + 1});
+    }
+  }
+  return box_tests;
+}
+
+}  // namespace
+
+Traversal traverse(const Bvh& a, const Bvh& b) {
+  Traversal found;
+  found.box_tests =
+      for_each_pair_of_leaves(a, b, [&](const NodePair& pair) { found.ends.push_back(pair); });
+  std::sort(found.ends.begin(), found.ends.end());
+  return found;
+}
+
+// ---- Step 5.5 ----
+
+namespace {
+
+using common::orientation;
+using common::Vec2;
+using Signs = std::array<int, 3>;
+
+bool all_zero(const Signs& s) { return s[0] == 0 && s[1] == 0 && s[2] == 0; }
+bool one_side(const Signs& s) {
+  return (s[0] > 0 && s[1] > 0 && s[2] > 0) || (s[0] < 0 && s[1] < 0 && s[2] < 0);
+}
+
+/// Whether plain arithmetic is sure that all of b is strictly on one side of a's plane.
+bool surely_apart(const Triangle& a, const Triangle& b) {
+  const Vec3 e = a[1] - a[0];
+  const Vec3 f = a[2] - a[0];
+  const Vec3 n = e.cross(f);
+  const std::array<Vec3, 3> d{b[0] - a[0], b[1] - a[0], b[2] - a[0]};
+  const double distance0 = n.dot(d[0]);
+  const double distance1 = n.dot(d[1]);
+  const double distance2 = n.dot(d[2]);
+  // Each is a sum of six products of three differences; a dozen roundings of 2⁻⁵³, doubled.
+  const double reach = std::max(
+      {d[0].cwiseAbs().maxCoeff(), d[1].cwiseAbs().maxCoeff(), d[2].cwiseAbs().maxCoeff()});
+  const double error =
+      2e-14 * e.cwiseAbs().maxCoeff() * f.cwiseAbs().maxCoeff() * reach + 1e-290 * (1.0 + reach);
+  return (distance0 > error && distance1 > error && distance2 > error) ||
+         (distance0 < -error && distance1 < -error && distance2 < -error);
+}
+
+Signs sides(const Triangle& plane, const Triangle& points) {
+  Signs signs{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    signs[i] = orientation(plane[0], plane[1], plane[2], points[i]);
+  }
+  return signs;
+}
+
+/// Turns the triangle so that its first corner is alone on its side of a plane, or alone on the
+/// plane. Returns 1 where that side is above the plane, or the others are below, and −1 where not.
+int put_alone_first(Triangle& t, const Signs& s) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int s_j = s[(i + 1) % 3];
+    const int s_k = s[(i + 2) % 3];
+    const bool across = s[i] != 0 && s_j * s[i] <= 0 && s_k * s[i] <= 0;
+    const bool touches = s[i] == 0 && s_j * s_k > 0;
+    if (!across && !touches) continue;
+    std::rotate(t.begin(), t.begin() + static_cast<std::ptrdiff_t>(i), t.end());
+    return across ? s[i] : -s_j;
+  }
+  throw std::logic_error("all corners are on one side of the plane");
+}
+
+/// Two triangles that cross each other's plane meet the line of both planes in an interval each;
+/// whether these overlap shows in two orientations. Guigue, Devillers 2003, JGT 8(1).
+bool intervals_overlap(Triangle a, const Signs& side_a, Triangle b, const Signs& side_b) {
+  const bool turn_b_over = put_alone_first(a, side_a) < 0;
+  const bool turn_a_over = put_alone_first(b, side_b) < 0;
+  if (turn_b_over) std::swap(b[1], b[2]);
+  if (turn_a_over) std::swap(a[1], a[2]);
+  return orientation(a[0], a[1], b[0], b[1]) <= 0 && orientation(a[0], a[2], b[2], b[0]) <= 0;
+}
+
+/// Whether an edge of the segment, which a is, goes through b. Not both ends are in b's plane.
+bool segment_pierces(const Triangle& a, const Signs& side_a, const Triangle& b) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    if (side_a[i] * side_a[j] > 0 || (side_a[i] == 0 && side_a[j] == 0)) continue;
+    const int s0 = orientation(a[i], a[j], b[0], b[1]);
+    const int s1 = orientation(a[i], a[j], b[1], b[2]);
+    const int s2 = orientation(a[i], a[j], b[2], b[0]);
+    if ((s0 >= 0 && s1 >= 0 && s2 >= 0) || (s0 <= 0 && s1 <= 0 && s2 <= 0)) return true;
+  }
+  return false;
+}
+
+using Shadow = std::array<Vec2, 3>;
+
+/// Whether the line of an edge of a has a on its one side, or on it, and b strictly on the other.
+bool parted_by_edge(const Shadow& a, const Shadow& b) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec2& p = a[i];
+    const Vec2& q = a[(i + 1) % 3];
+    const Signs s{orientation(p, q, b[0]), orientation(p, q, b[1]), orientation(p, q, b[2])};
+    if (one_side(s) && s[0] * orientation(p, q, a[(i + 2) % 3]) <= 0) return true;
+  }
+  return false;
+}
+
+/// Corners all in one plane: the triangles meet where their shadows along all three axes do. One of
+/// the shadows shows the plane in full, or the line where all corners are on one.
+bool meet_in_plane(const Triangle& a, const Triangle& b) {
+  if (!overlap(box_of(a), box_of(b))) return false;
+  for (Eigen::Index x = 0; x < 3; ++x) {
+    const Eigen::Index y = (x + 1) % 3;
+    const auto shadow = [&](const Triangle& t) {
+      return Shadow{Vec2(t[0][x], t[0][y]), Vec2(t[1][x], t[1][y]), Vec2(t[2][x], t[2][y])};
+    };
+    if (parted_by_edge(shadow(a), shadow(b)) || parted_by_edge(shadow(b), shadow(a))) return false;
+  }
+  return true;
+}
+
+/// Whether a and b, both segments or points, are on two lines without a common plane.
+bool are_skew(const Triangle& a, const Triangle& b) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      if (orientation(a[i], a[(i + 1) % 3], b[j], b[(j + 1) % 3]) != 0) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+bool triangles_meet(const Triangle& a, const Triangle& b) {
+  if (surely_apart(a, b) || surely_apart(b, a)) return false;
+  const Signs side_a = sides(b, a);
+  if (one_side(side_a)) return false;
+  const Signs side_b = sides(a, b);
+  if (one_side(side_b)) return false;
+  // A triangle without a plane, a segment or a point, has all points in every plane through it.
+  if (!all_zero(side_a) && !all_zero(side_b)) return intervals_overlap(a, side_a, b, side_b);
+  if (!all_zero(side_a)) return segment_pierces(a, side_a, b);
+  if (!all_zero(side_b)) return segment_pierces(b, side_b, a);
+  return !are_skew(a, b) && meet_in_plane(a, b);
+}
+
+namespace {
+
+/// Tests all triangles of a leaf of a with all of a leaf of b, moved to where they are compared.
+template <typename CornersOfB>
+void test_leaves(const Bvh& a, const BvhNode& leaf_a, const Bvh& b, const BvhNode& leaf_b,
+                 const CornersOfB& corners_of_b, Intersections& found) {
+  found.triangle_tests += std::uint64_t{leaf_a.count} * leaf_b.count;
+  for (std::uint32_t j = leaf_b.first; j < leaf_b.first + leaf_b.count; ++j) {
+    const Triangle corners_b = corners_of_b(b.corners[j]);
+    const Box box_b = box_of(corners_b);
+    if (!overlap(leaf_a.box, box_b)) continue;
+    for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
+      if (overlap(box_of(a.corners[i]), box_b) && triangles_meet(a.corners[i], corners_b)) {
+        found.pairs.push_back({a.triangles[i], b.triangles[j]});
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Intersections find_intersections(const Bvh& a, const Bvh& b) {
+  Intersections found;
+  const auto as_it_is = [](const Triangle& corners) { return corners; };
+  found.box_tests = for_each_pair_of_leaves(a, b, [&](const NodePair& pair) {
+    test_leaves(a, a.nodes[pair.a], b, b.nodes[pair.b], as_it_is, found);
+  });
+  std::sort(found.pairs.begin(), found.pairs.end());
+  return found;
+}
+
+// ---- Step 5.6 ----
+
+namespace {
+
+constexpr int depth_of_last_sah_cut = 31;
+
+struct Bin {
+  Box box;
+  double count = 0.0;
+};
+
+struct Plane {
+  double cost = std::numeric_limits<double>::infinity();
+  Eigen::Index axis = 0;
+  int bin = 0;  ///< the first beyond the plane
+};
+
+class SahCut {
+ public:
+  explicit SahCut(int bins) : bins_(bins), right_cost_(static_cast<std::size_t>(bins)) {}
+
+  Iterator operator()(Iterator begin, Iterator end, int depth) const {
+    if (depth > depth_of_last_sah_cut) return halved(begin, end);
+    Box spread;
+    for (Iterator i = begin; i != end; ++i) spread = merged(spread, {i->centroid, i->centroid});
+    Plane best;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) try_planes(begin, end, spread, axis, best);
+    if (best.bin == 0) return halved(begin, end);
+    return std::partition(begin, end, [&](const Entry& entry) {
+      return bin_of(entry, spread, best.axis) < best.bin;
+    });
+  }
+
+ private:
+  [[nodiscard]] int bin_of(const Entry& entry, const Box& spread, Eigen::Index axis) const {
+    const double scale = bins_ / (spread.high[axis] - spread.low[axis]);
+    const double place = (entry.centroid[axis] - spread.low[axis]) * scale;
+    return std::min(static_cast<int>(place), bins_ - 1);
+  }
+
+  /// Keeps the best plane across the axis where it is better than the best so far.
+  void try_planes(Iterator begin, Iterator end, const Box& spread, Eigen::Index axis,
+                  Plane& best) const {
+    if (!(spread.high[axis] > spread.low[axis])) return;
+    std::vector<Bin> bins(static_cast<std::size_t>(bins_));
+    for (Iterator i = begin; i != end; ++i) {
+      Bin& bin = bins[static_cast<std::size_t>(bin_of(*i, spread, axis))];
+      bin.box = merged(bin.box, i->box);
+      bin.count += 1.0;
+    }
+    Bin right;
+    for (std::size_t i = bins.size(); --i > 0;) {
+      right = {merged(right.box, bins[i].box), right.count + bins[i].count};
+      right_cost_[i] = surface_area(right.box) * right.count;
+    }
+    Bin left;
+    for (std::size_t i = 1; i < bins.size(); ++i) {
+      left = {merged(left.box, bins[i - 1].box), left.count + bins[i - 1].count};
+      const double cost = surface_area(left.box) * left.count + right_cost_[i];
+      if (cost < best.cost) best = {cost, axis, static_cast<int>(i)};
+    }
+  }
+
+  int bins_;
+  mutable std::vector<double> right_cost_;
+};
+
+}  // namespace
+
+Bvh build_sah(const TriangleMesh& mesh, int leaf_size, int bins) {
+  if (bins < 2) throw std::invalid_argument("bins: want 2 or more, got " + std::to_string(bins));
+  return Builder(mesh, leaf_size, SahCut(bins)).build(mesh);
+}
+
+// ---- Step 5.7 ----
+
+namespace {
+
+/// A box around the box of b when moved, with room for the rounding of this and of the corners.
+Box moved_box(const Box& box, const RigidTransform& a_from_b) {
+  const Vec3 center = 0.5 * (box.low + box.high);
+  const Vec3 half = 0.5 * (box.high - box.low);
+  const Vec3 size = center.cwiseAbs() + half;
+  const Vec3 moved_center = a_from_b.rotation * center + a_from_b.translation;
+  const Vec3 reach = a_from_b.rotation.cwiseAbs() * half;
+  const Vec3 margin =
+      1e-15 * (a_from_b.rotation.cwiseAbs() * size + a_from_b.translation.cwiseAbs());
+  return {moved_center - reach - 2.0 * margin, moved_center + reach + 2.0 * margin};
+}
+
+}  // namespace
+
+Intersections find_intersections_moved(const Bvh& a, const Bvh& b, const RigidTransform& a_from_b) {
+  if (!a_from_b.rotation.allFinite() || !a_from_b.translation.allFinite()) {
+    throw std::invalid_argument("a_from_b: an entry is not finite");
+  }
+  struct Pair {
+    NodePair nodes;
+    Box box_b;  ///< moved
+  };
+  const auto moved = [&](const Triangle& corners) {
+    return common::transformed(a_from_b, corners);
+  };
+  Intersections found;
+  std::vector<Pair> stack{{{0, 0}, moved_box(b.nodes[0].box, a_from_b)}};
+  while (!stack.empty()) {
+    const Pair pair = stack.back();
+    stack.pop_back();
+    const BvhNode& node_a = a.nodes[pair.nodes.a];
+    const BvhNode& node_b = b.nodes[pair.nodes.b];
+    ++found.box_tests;
+    if (!overlap(node_a.box, pair.box_b)) continue;
+    if (is_leaf(node_a) && is_leaf(node_b)) {
+      test_leaves(a, node_a, b, node_b, moved, found);
+    } else if (descend_a(node_a, node_b)) {
+      stack.push_back({{node_a.first, pair.nodes.b}, pair.box_b});
+      stack.push_back({{node_a.first + 1, pair.nodes.b}, pair.box_b});
+    } else {
+      for (const std::uint32_t child : {node_b.first, node_b.first + 1}) {
+        stack.push_back({{pair.nodes.a, child}, moved_box(b.nodes[child].box, a_from_b)});
+      }
+    }
+  }
+  std::sort(found.pairs.begin(), found.pairs.end());
+  return found;
+}
+
+Bvh refit(Bvh bvh, const TriangleMesh& deformed) {
+  common::require_sound(deformed);
+  if (deformed.triangles.size() != bvh.triangles.size()) {
+    throw std::invalid_argument("deformed: want as many triangles as before, " +
+                                std::to_string(bvh.triangles.size()));
+  }
+  for (std::size_t i = 0; i < bvh.triangles.size(); ++i) {
+    bvh.corners[i] = triangle(deformed, bvh.triangles[i]);
+  }
+  // Children stand behind their parent: from the back, they are done when it is its turn.
+  for (std::size_t i = bvh.nodes.size(); i-- > 0;) {
+    BvhNode& node = bvh.nodes[i];
+    if (is_leaf(node)) {
+      node.box = Box{};
+      for (std::uint32_t k = node.first; k < node.first + node.count; ++k) {
+        node.box = merged(node.box, box_of(bvh.corners[k]));
+      }
+    } else {
+      node.box = merged(bvh.nodes[node.first].box, bvh.nodes[node.first + 1].box);
+    }
+  }
+  return bvh;
+}
+
+}  // namespace lab::bvh_traversal

@@ -139,12 +139,13 @@ TriangleMesh clusters(std::size_t triangles) {
 
 TriangleMesh diagonal_slivers(std::size_t triangles) {
   TriangleMesh mesh;
+  const Vec3 step = Vec3(0.1, -0.1, 0.0) / static_cast<double>(triangles);
   for (std::size_t i = 0; i < triangles; ++i) {
-    const Vec3 start = 2e-3 * static_cast<double>(i) * Vec3(1.0, -1.0, 0.0);
+    const Vec3 start = static_cast<double>(i) * step;
     const std::uint32_t first = count(mesh.vertices.size());
     mesh.vertices.push_back(start);
-    mesh.vertices.emplace_back(start + Vec3(1e-3, -1e-3, 0.0));
-    mesh.vertices.emplace_back(start + Vec3::Ones());
+    mesh.vertices.push_back(start + 0.5 * step);
+    mesh.vertices.push_back(start + Vec3::Ones());
     mesh.triangles.push_back({first, first + 1, first + 2});
   }
   return mesh;

@@ -30,8 +30,8 @@ TriangleMesh flat_grid(std::size_t size);
 /// origin: equal cuts of space part off one cluster at a time.
 TriangleMesh clusters(std::size_t triangles);
 
-/// Triangles 1e-3 wide, beside each other, along the diagonal of the unit cube from end to end: the
-/// box of each is nearly that of all.
+/// Thin triangles side by side, each along the diagonal of the unit cube from end to end: the box
+/// of each is nearly that of all.
 TriangleMesh diagonal_slivers(std::size_t triangles);
 
 /// The mesh and one more triangle, a hundred times as large as the mesh and around its middle.

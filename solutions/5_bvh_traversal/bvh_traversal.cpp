@@ -23,9 +23,11 @@ Box box_of(const Triangle& triangle) {
 Box merged(const Box& a, const Box& b) { return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)}; }
 
 bool overlap(const Box& a, const Box& b) {
-  return a.low.x() <= b.high.x() && b.low.x() <= a.high.x() &&  //
-         a.low.y() <= b.high.y() && b.low.y() <= a.high.y() &&  //
-         a.low.z() <= b.high.z() && b.low.z() <= a.high.z();
+  // A branch for each comparison would cost more than all six.
+  const auto reach = [&](Eigen::Index i) {
+    return static_cast<int>(a.low[i] <= b.high[i]) & static_cast<int>(b.low[i] <= a.high[i]);
+  };
+  return (reach(0) & reach(1) & reach(2)) != 0;
 }
 
 double surface_area(const Box& box) {
@@ -166,7 +168,7 @@ Traversal traverse_as_first_written(const Bvh& a, const Bvh& b) {
 
 namespace {
 
-/// Whether to go on with the children of a, else of b: not both are leaves.
+/// Whether to go on with the children of a, else with those of b: not both are leaves.
 bool descend_a(const BvhNode& a, const BvhNode& b) {
   if (is_leaf(a)) return false;
   if (is_leaf(b)) return true;
@@ -174,26 +176,33 @@ bool descend_a(const BvhNode& a, const BvhNode& b) {
 }
 
 /// Calls at_leaves with each pair of leaves whose boxes overlap. Returns the number of box tests.
-template <typename AtLeaves>
-std::uint64_t for_each_pair_of_leaves(const Bvh& a, const Bvh& b, const AtLeaves& at_leaves) {
-  std::uint64_t box_tests = 0;
-  std::vector<NodePair> stack{{0, 0}};
-  while (!stack.empty()) {
-    const NodePair pair = stack.back();
-    stack.pop_back();
+///
+/// Children are tested before they are put on the stack, and put there without a branch: which
+/// boxes overlap cannot be foretold.
+template <typename Overlap, typename AtLeaves>
+std::uint64_t for_each_pair_of_leaves(const Bvh& a, const Bvh& b, const Overlap& overlaps,
+                                      AtLeaves& at_leaves) {
+  // A pair is at most two depths below the roots, and each level leaves one pair behind.
+  std::array<NodePair, 2 * max_depth + 2> stack;
+  std::size_t size = overlaps(a.nodes[0].box, b.nodes[0].box) ? 1 : 0;
+  stack[0] = {0, 0};
+  std::uint64_t box_tests = 1;
+  while (size > 0) {
+    const NodePair pair = stack[--size];
     const BvhNode& node_a = a.nodes[pair.a];
     const BvhNode& node_b = b.nodes[pair.b];
-    ++box_tests;
-    if (!overlap(node_a.box, node_b.box)) continue;
     if (is_leaf(node_a) && is_leaf(node_b)) {
-      at_leaves(pair);
-    } else if (descend_a(node_a, node_b)) {
-      stack.push_back({node_a.first, pair.b});
-      stack.push_back({node_a.first + 1, pair.b});
-    } else {
-      stack.push_back({pair.a, node_b.first});
-      stack.push_back({pair.a, node_b.first + 1});
+      at_leaves(node_a, node_b);
+      continue;
     }
+    const bool into_a = descend_a(node_a, node_b);
+    for (const std::uint32_t child : {1U, 0U}) {
+      const NodePair next =
+          into_a ? NodePair{node_a.first + child, pair.b} : NodePair{pair.a, node_b.first + child};
+      stack[size] = next;
+      size += overlaps(a.nodes[next.a].box, b.nodes[next.b].box) ? 1 : 0;
+    }
+    box_tests += 2;
   }
   return box_tests;
 }
@@ -202,8 +211,11 @@ std::uint64_t for_each_pair_of_leaves(const Bvh& a, const Bvh& b, const AtLeaves
 
 Traversal traverse(const Bvh& a, const Bvh& b) {
   Traversal found;
-  found.box_tests =
-      for_each_pair_of_leaves(a, b, [&](const NodePair& pair) { found.ends.push_back(pair); });
+  auto note = [&](const BvhNode& leaf_a, const BvhNode& leaf_b) {
+    found.ends.push_back({static_cast<std::uint32_t>(&leaf_a - a.nodes.data()),
+                          static_cast<std::uint32_t>(&leaf_b - b.nodes.data())});
+  };
+  found.box_tests = for_each_pair_of_leaves(a, b, overlap, note);
   std::sort(found.ends.begin(), found.ends.end());
   return found;
 }
@@ -339,33 +351,67 @@ bool triangles_meet(const Triangle& a, const Triangle& b) {
 
 namespace {
 
-/// Tests all triangles of a leaf of a with all of a leaf of b, moved to where they are compared.
-template <typename CornersOfB>
-void test_leaves(const Bvh& a, const BvhNode& leaf_a, const Bvh& b, const BvhNode& leaf_b,
-                 const CornersOfB& corners_of_b, Intersections& found) {
-  found.triangle_tests += std::uint64_t{leaf_a.count} * leaf_b.count;
-  for (std::uint32_t j = leaf_b.first; j < leaf_b.first + leaf_b.count; ++j) {
-    const Triangle corners_b = corners_of_b(b.corners[j]);
-    const Box box_b = box_of(corners_b);
-    if (!overlap(leaf_a.box, box_b)) continue;
+/// The narrow phase: all triangles of a leaf of a with all of a leaf of b, moved before.
+template <typename Move>
+class LeafTest {
+ public:
+  LeafTest(const Bvh& a, const Bvh& b, const Move& move) : a_(a), b_(b), move_(move) {}
+
+  void operator()(const BvhNode& leaf_a, const BvhNode& leaf_b) {
+    found.triangle_tests += std::uint64_t{leaf_a.count} * leaf_b.count;
+    take(leaf_b);
+    near_.clear();
+    for (const Moved& b : moved_) {
+      if (overlap(leaf_a.box, b.box)) near_.push_back(&b);
+    }
+    if (near_.empty()) return;
     for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
-      if (overlap(box_of(a.corners[i]), box_b) && triangles_meet(a.corners[i], corners_b)) {
-        found.pairs.push_back({a.triangles[i], b.triangles[j]});
+      const Box box = box_of(a_.corners[i]);
+      for (const Moved* b : near_) {
+        if (overlap(box, b->box) && triangles_meet(a_.corners[i], b->corners)) {
+          found.pairs.push_back({a_.triangles[i], b->triangle});
+        }
       }
     }
   }
-}
+
+  Intersections found;
+
+ private:
+  struct Moved {
+    Triangle corners;
+    Box box;
+    std::uint32_t triangle;
+  };
+
+  /// Moves the leaf's triangles, unless it is the one of the last call, as it often is.
+  void take(const BvhNode& leaf_b) {
+    if (&leaf_b == taken_) return;
+    taken_ = &leaf_b;
+    moved_.resize(leaf_b.count);
+    for (std::uint32_t i = 0; i < leaf_b.count; ++i) {
+      moved_[i].corners = move_(b_.corners[leaf_b.first + i]);
+      moved_[i].box = box_of(moved_[i].corners);
+      moved_[i].triangle = b_.triangles[leaf_b.first + i];
+    }
+  }
+
+  const Bvh& a_;
+  const Bvh& b_;
+  const Move& move_;
+  const BvhNode* taken_ = nullptr;
+  std::vector<Moved> moved_;
+  std::vector<const Moved*> near_;  ///< of those moved: may meet a triangle of the leaf of a
+};
 
 }  // namespace
 
 Intersections find_intersections(const Bvh& a, const Bvh& b) {
-  Intersections found;
-  const auto as_it_is = [](const Triangle& corners) { return corners; };
-  found.box_tests = for_each_pair_of_leaves(a, b, [&](const NodePair& pair) {
-    test_leaves(a, a.nodes[pair.a], b, b.nodes[pair.b], as_it_is, found);
-  });
-  std::sort(found.pairs.begin(), found.pairs.end());
-  return found;
+  const auto as_it_is = [](const Triangle& corners) -> const Triangle& { return corners; };
+  LeafTest test(a, b, as_it_is);
+  test.found.box_tests = for_each_pair_of_leaves(a, b, overlap, test);
+  std::sort(test.found.pairs.begin(), test.found.pairs.end());
+  return std::move(test.found);
 }
 
 // ---- Step 5.6 ----
@@ -446,17 +492,40 @@ Bvh build_sah(const TriangleMesh& mesh, int leaf_size, int bins) {
 
 namespace {
 
-/// A box around the box of b when moved, with room for the rounding of this and of the corners.
-Box moved_box(const Box& box, const RigidTransform& a_from_b) {
-  const Vec3 center = 0.5 * (box.low + box.high);
-  const Vec3 half = 0.5 * (box.high - box.low);
-  const Vec3 size = center.cwiseAbs() + half;
-  const Vec3 moved_center = a_from_b.rotation * center + a_from_b.translation;
-  const Vec3 reach = a_from_b.rotation.cwiseAbs() * half;
-  const Vec3 margin =
-      1e-15 * (a_from_b.rotation.cwiseAbs() * size + a_from_b.translation.cwiseAbs());
-  return {moved_center - reach - 2.0 * margin, moved_center + reach + 2.0 * margin};
-}
+/// Whether a box of a may overlap a box of b that is moved: it says no only where one of the three
+/// directions of either box parts them. Gottschalk, Lin, Manocha 1996, of whose fifteen directions
+/// these six cost least.
+class MovedOverlap {
+ public:
+  MovedOverlap(const Bvh& a, const Bvh& b, const RigidTransform& a_from_b)
+      : R_(a_from_b.rotation), R_size_(R_.cwiseAbs()), t_(a_from_b.translation) {
+    const double skewness = (R_.transpose() * R_ - common::Mat3::Identity()).cwiseAbs().sum();
+    const double size = furthest(a) + t_.cwiseAbs().sum() + R_size_.sum() * furthest(b);
+    margin_ = (1e-14 + 4.0 * skewness) * size;
+  }
+
+  bool operator()(const Box& a, const Box& b) const {
+    const Vec3 half_a = 0.5 * (a.high - a.low);
+    const Vec3 half_b = 0.5 * (b.high - b.low);
+    const Vec3 d = R_ * (0.5 * (b.low + b.high)) + t_ - 0.5 * (a.low + a.high);
+    const Vec3 gap_along_a = d.cwiseAbs() - half_a - R_size_ * half_b;
+    if (!(gap_along_a.maxCoeff() <= margin_)) return false;
+    const Vec3 gap_along_b =
+        (R_.transpose() * d).cwiseAbs() - half_b - R_size_.transpose() * half_a;
+    return gap_along_b.maxCoeff() <= margin_;
+  }
+
+ private:
+  static double furthest(const Bvh& bvh) {
+    const Box& box = bvh.nodes[0].box;
+    return std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
+  }
+
+  common::Mat3 R_;
+  common::Mat3 R_size_;
+  Vec3 t_;
+  double margin_ = 0.0;  ///< more than all roundings together
+};
 
 }  // namespace
 
@@ -464,35 +533,11 @@ Intersections find_intersections_moved(const Bvh& a, const Bvh& b, const RigidTr
   if (!a_from_b.rotation.allFinite() || !a_from_b.translation.allFinite()) {
     throw std::invalid_argument("a_from_b: an entry is not finite");
   }
-  struct Pair {
-    NodePair nodes;
-    Box box_b;  ///< moved
-  };
-  const auto moved = [&](const Triangle& corners) {
-    return common::transformed(a_from_b, corners);
-  };
-  Intersections found;
-  std::vector<Pair> stack{{{0, 0}, moved_box(b.nodes[0].box, a_from_b)}};
-  while (!stack.empty()) {
-    const Pair pair = stack.back();
-    stack.pop_back();
-    const BvhNode& node_a = a.nodes[pair.nodes.a];
-    const BvhNode& node_b = b.nodes[pair.nodes.b];
-    ++found.box_tests;
-    if (!overlap(node_a.box, pair.box_b)) continue;
-    if (is_leaf(node_a) && is_leaf(node_b)) {
-      test_leaves(a, node_a, b, node_b, moved, found);
-    } else if (descend_a(node_a, node_b)) {
-      stack.push_back({{node_a.first, pair.nodes.b}, pair.box_b});
-      stack.push_back({{node_a.first + 1, pair.nodes.b}, pair.box_b});
-    } else {
-      for (const std::uint32_t child : {node_b.first, node_b.first + 1}) {
-        stack.push_back({{pair.nodes.a, child}, moved_box(b.nodes[child].box, a_from_b)});
-      }
-    }
-  }
-  std::sort(found.pairs.begin(), found.pairs.end());
-  return found;
+  const auto move = [&](const Triangle& corners) { return common::transformed(a_from_b, corners); };
+  LeafTest test(a, b, move);
+  test.found.box_tests = for_each_pair_of_leaves(a, b, MovedOverlap(a, b, a_from_b), test);
+  std::sort(test.found.pairs.begin(), test.found.pairs.end());
+  return std::move(test.found);
 }
 
 Bvh refit(Bvh bvh, const TriangleMesh& deformed) {

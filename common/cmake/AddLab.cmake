@@ -6,7 +6,8 @@
 #   <name>_reference_{test,scene,chart}   solutions/<N>_<name>/<name>.cpp
 # and, where TUMBLE_PROOF, their tests with every other answer of solutions/<N>_<name>/:
 #   <other>.cpp        right answers, built otherwise: every test passes
-#   mistakes/nan.cpp   returns NaN everywhere: every test fails
+#   mistakes/nan.cpp   returns NaN everywhere, and throws std::domain_error("not a number") where the
+#                      contract has no number: every test fails
 #   mistakes.cmake     the bank of mistakes where TUMBLE_MISTAKES, see add_mutant
 # CTest names are <N>_<name>/<answer>/<step>/<case>; labels student, stub, right, nan, mistake.
 # A hand-out may ship without the solutions folder. Where a lab has peers.cpp, its chart can be drawn
@@ -53,7 +54,8 @@ function(add_lab name)
   endforeach()
   _add_answer(nan "${solutions}/mistakes/nan.cpp" answer_flags)
   _add_cases(nan nan)
-  set_tests_properties(${nan_tests} PROPERTIES PASS_REGULAR_EXPRESSION "[|] error +not finite"
+  set_tests_properties(${nan_tests} PROPERTIES PASS_REGULAR_EXPRESSION
+    "[|] error +not finite;[|] got +an exception( of another type)?: not a number"
     FAIL_REGULAR_EXPRESSION "All tests passed")
   if(TUMBLE_MISTAKES)
     include("${solutions}/mistakes.cmake")

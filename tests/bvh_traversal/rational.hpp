@@ -12,7 +12,11 @@
 namespace tests {
 
 using Rational = boost::multiprecision::cpp_rational;
-using Point = std::array<Rational, 3>;
+struct Point {
+  std::array<Rational, 3> x;
+  Rational& operator[](std::size_t i) { return x[i]; }
+  const Rational& operator[](std::size_t i) const { return x[i]; }
+};
 
 inline Point operator-(const Point& a, const Point& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bvh_traversal.hpp"
+#include "trial.hpp"
+
+/// How the results of this lab are judged and printed.
+namespace tests {
+
+namespace lab = ::lab::bvh_traversal;
+
+/// Text that stands for an argument.
+struct Code {
+  std::string code;
+};
+inline std::string text(const Code& code) { return code.code; }
+
+inline Code code(const common::Triangle& t) {
+  return {"{" + text(t[0]) + ", " + text(t[1]) + ", " + text(t[2]) + "}"};
+}
+inline Code code(const lab::Box& box) {
+  return {"{" + text(box.low) + ", " + text(box.high) + "}"};
+}
+
+/// A box as a value: two corners.
+struct Corners {
+  lab::Box box;
+};
+inline bool is_finite(const Corners& v) { return is_finite(v.box.low) && is_finite(v.box.high); }
+inline double length(const Corners& v) { return length(v.box.low) + length(v.box.high); }
+inline double difference(const Corners& a, const Corners& b) {
+  return difference(a.box.low, b.box.low) + difference(a.box.high, b.box.high);
+}
+inline std::string text(const Corners& v) { return code(v.box).code; }
+
+/// A decision as a value.
+struct Decision {
+  bool yes = false;
+};
+inline bool is_finite(const Decision&) { return true; }
+inline double length(const Decision&) { return 1.0; }
+inline double difference(const Decision& a, const Decision& b) {
+  return a.yes == b.yes ? 0.0 : 1.0;
+}
+inline std::string text(const Decision& v) { return v.yes ? "true" : "false"; }
+
+inline const Bound exactly{0.0, "a decision has no tolerance"};
+
+/// Two indices in order, of nodes or of triangles.
+using Indices = std::array<std::uint32_t, 2>;
+
+/// A sorted list of pairs of indices as a value; its distance from another is the number of those
+/// that are in one of the two alone, at least one where they differ.
+struct Pairs {
+  std::vector<Indices> pairs;
+};
+template <typename Pair>
+Pairs pairs_of(const std::vector<Pair>& list) {
+  Pairs pairs;
+  for (const Pair& pair : list) pairs.pairs.push_back({pair.a, pair.b});
+  return pairs;
+}
+inline bool is_finite(const Pairs&) { return true; }
+inline double length(const Pairs&) { return 0.0; }
+inline double difference(const Pairs& a, const Pairs& b) {
+  if (a.pairs == b.pairs) return 0.0;
+  std::vector<Indices> p = a.pairs;
+  std::vector<Indices> q = b.pairs;
+  std::sort(p.begin(), p.end());
+  std::sort(q.begin(), q.end());
+  std::vector<Indices> apart;
+  std::set_symmetric_difference(p.begin(), p.end(), q.begin(), q.end(), std::back_inserter(apart));
+  return std::max(1.0, static_cast<double>(apart.size()));
+}
+inline std::string text(const Pairs& v) {
+  constexpr std::size_t shown = 12;
+  std::string list = std::to_string(v.pairs.size()) + " {";
+  for (std::size_t i = 0; i < std::min(v.pairs.size(), shown); ++i) {
+    list += (i == 0 ? "{" : ", {") + std::to_string(v.pairs[i][0]) + ", " +
+            std::to_string(v.pairs[i][1]) + "}";
+  }
+  return list + (v.pairs.size() > shown ? ", ...}" : "}");
+}
+
+/// A tree as a value, where an exception is wanted instead.
+struct Tree {
+  lab::Bvh bvh;
+};
+inline bool is_finite(const Tree& v) {
+  return std::all_of(v.bvh.nodes.begin(), v.bvh.nodes.end(),
+                     [](const lab::BvhNode& node) { return is_finite(Corners{node.box}); });
+}
+inline std::string text(const Tree& v) {
+  return "a Bvh of " + std::to_string(v.bvh.nodes.size()) + " nodes";
+}
+
+}  // namespace tests

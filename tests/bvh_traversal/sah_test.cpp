@@ -1,0 +1,265 @@
+#include "common/meshes.hpp"
+#include "structure.hpp"
+
+using namespace lab::bvh_traversal;
+using tests::code;
+using tests::Shape;
+using tests::Trial;
+
+namespace {
+
+const std::string dearer = "a plane between bins is cheaper than the cut: is it A N of both sides?";
+const std::string halved = "this cuts at the median, not where A N of both sides is least";
+const std::string by_volume =
+    "this weighs the sides by the volumes of their boxes, not the surfaces";
+const std::string without_numbers =
+    "this weighs the sides by their surfaces alone, not by their "
+    "numbers of triangles";
+const std::string one_axis =
+    "only the axis of the widest spread is tried: planes across all three "
+    "axes compete";
+
+/// The triangles below a node, apart from how the tree keeps them.
+struct Item {
+  Box box;
+  Vec3 centroid;
+};
+
+Box joined(const Box& a, const Box& b) { return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)}; }
+
+std::vector<Item> items_below(const Bvh& bvh, const Shape& shape, std::size_t node) {
+  std::vector<Item> items;
+  std::vector<std::size_t> stack{node};
+  items.reserve(shape.below[node]);
+  while (!stack.empty()) {
+    const BvhNode& top = bvh.nodes[stack.back()];
+    stack.pop_back();
+    if (!tests::is_leaf(top)) {
+      stack.push_back(top.first);
+      stack.push_back(top.first + 1);
+      continue;
+    }
+    for (std::size_t i = top.first; i < top.first + top.count; ++i) {
+      const Triangle& t = bvh.corners[i];
+      items.push_back({tests::box_around(bvh.corners, i, 1), (t[0] + t[1] + t[2]) / 3.0});
+    }
+  }
+  return items;
+}
+
+double volume(const Box& box) { return (box.high - box.low).prod(); }
+
+enum class Weight { area_and_number, area, volume_and_number };
+
+double weight(const Box& box, double number, Weight kind) {
+  switch (kind) {
+    case Weight::area_and_number:
+      return tests::area(box) * number;
+    case Weight::area:
+      return tests::area(box);
+    case Weight::volume_and_number:
+      return volume(box) * number;
+  }
+  return 0.0;
+}
+
+/// The planes between bins across one axis: for each the two sides' boxes and numbers.
+struct Sides {
+  Box left, right;
+  double in_left = 0.0, in_right = 0.0;
+};
+
+std::vector<Sides> planes(const std::vector<Item>& items, Eigen::Index axis, int bins) {
+  double low = items.front().centroid[axis];
+  double high = low;
+  for (const Item& item : items) {
+    low = std::min(low, item.centroid[axis]);
+    high = std::max(high, item.centroid[axis]);
+  }
+  std::vector<Sides> found;
+  for (int k = 1; k < bins && high > low; ++k) {
+    const double plane = low + (high - low) * k / bins;
+    Sides sides;
+    bool clear = true;
+    for (const Item& item : items) {
+      const double distance = item.centroid[axis] - plane;
+      // A centroid on the plane to rounding may be counted on either side: such a plane is no
+      // judge.
+      clear = clear && std::abs(distance) > 1e-12 * (std::abs(low) + std::abs(high));
+      Box& side = distance < 0.0 ? sides.left : sides.right;
+      side = joined(side, item.box);
+      (distance < 0.0 ? sides.in_left : sides.in_right) += 1.0;
+    }
+    if (clear && sides.in_left > 0.0 && sides.in_right > 0.0) found.push_back(sides);
+  }
+  return found;
+}
+
+double cost(const Sides& s, Weight kind) {
+  return weight(s.left, s.in_left, kind) + weight(s.right, s.in_right, kind);
+}
+
+/// A N of the best plane by a mistaken weight, or across the widest axis alone.
+double cost_of_choice(const std::vector<std::vector<Sides>>& axes, Weight kind) {
+  double best = std::numeric_limits<double>::infinity();
+  double cost_of_best = best;
+  for (const std::vector<Sides>& axis : axes) {
+    for (const Sides& s : axis) {
+      if (cost(s, kind) >= best) continue;
+      best = cost(s, kind);
+      cost_of_best = cost(s, Weight::area_and_number);
+    }
+  }
+  return cost_of_best;
+}
+
+Eigen::Index widest_axis(const std::vector<Item>& items) {
+  std::vector<Vec3> centroids;
+  for (const Item& item : items) centroids.push_back(item.centroid);
+  const auto span = tests::span_of(centroids);
+  Eigen::Index axis = 0;
+  (span.second - span.first).maxCoeff(&axis);
+  return axis;
+}
+
+/// Requires that no plane is cheaper than the cut of a node.
+void expect_cut(const Trial& trial, const Bvh& bvh, const Shape& shape, std::size_t i, int bins) {
+  const BvhNode& node = bvh.nodes[i];
+  const std::vector<Item> items = items_below(bvh, shape, i);
+  std::vector<std::vector<Sides>> axes;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) axes.push_back(planes(items, axis, bins));
+  const double best = cost_of_choice(axes, Weight::area_and_number);
+  if (std::isinf(best)) return;
+  const Sides taken{bvh.nodes[node.first].box, bvh.nodes[node.first + 1].box,
+                    static_cast<double>(shape.below[node.first]),
+                    static_cast<double>(shape.below[node.first + 1])};
+  const double got = cost(taken, Weight::area_and_number);
+  if (got <= best * (1.0 + 1e-12)) return;
+  const auto is = [&](double other) { return std::abs(got - other) <= 1e-12 * got; };
+  std::vector<std::string> fits;
+  if (is(cost_of_choice(axes, Weight::volume_and_number))) fits.push_back(by_volume);
+  if (is(cost_of_choice(axes, Weight::area))) fits.push_back(without_numbers);
+  if (is(cost_of_choice({axes[static_cast<std::size_t>(widest_axis(items))]},
+                        Weight::area_and_number))) {
+    fits.push_back(one_axis);
+  }
+  if (std::abs(taken.in_left - taken.in_right) <= 1.0) fits.push_back(halved);
+  trial.of("the cut of node " + std::to_string(i))
+      .expect_small("A N of both sides beyond the cheapest plane's", got - best,
+                    {1e-12 * best, "rounding of the areas"},
+                    fits.size() == 1 ? fits.front()
+                    : fits.empty()   ? dearer
+                                     : "");
+}
+
+struct Built {
+  Bvh bvh;
+  Shape shape;
+};
+
+Built expect_sah(const common::TriangleMesh& mesh, int leaf_size, int bins, int index, int count) {
+  const Trial trial = Trial("5.6 build_sah", index, count)
+                          .given("mesh", code(mesh))
+                          .given("leaf_size", static_cast<double>(leaf_size))
+                          .given("bins", static_cast<double>(bins));
+  Built built;
+  built.bvh = trial.returned([&] { return build_sah(mesh, leaf_size, bins); });
+  built.shape = tests::expect_structure(trial, built.bvh, mesh, leaf_size);
+  for (std::size_t i = 0; i < built.bvh.nodes.size(); ++i) {
+    if (tests::is_leaf(built.bvh.nodes[i]) || built.shape.depth[i] >= 32) continue;
+    expect_cut(trial, built.bvh, built.shape, i, bins);
+  }
+  return built;
+}
+
+/// Triangles of very different sizes, off any regular place.
+common::TriangleMesh uneven_soup(tests::Random& random, int triangles) {
+  common::TriangleMesh mesh;
+  for (int i = 0; i < triangles; ++i) {
+    const double size = std::pow(10.0, random.uniform(-2.0, 0.0));
+    const Vec3 place = std::pow(random.uniform(0.0, 1.0), 3.0) * random.vector(4.0);
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (int k = 0; k < 3; ++k) mesh.vertices.push_back(place + random.vector(size));
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("A cluster is parted from what is far off", "[5.6]") {
+  // Nine small triangles near the origin and one far away: half and half would stretch a box.
+  common::TriangleMesh mesh;
+  for (int i = 0; i < 10; ++i) {
+    const Vec3 place = i == 9 ? Vec3(100.0, 0.0, 0.0) : Vec3(0.3 * i, 0.1 * (i % 3), 0.2 * (i % 2));
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const Vec3& p : {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 1)}) {
+      mesh.vertices.push_back(place + p);
+    }
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  const Built built = expect_sah(mesh, 9, 8, 1, 1);
+  const BvhNode& root = built.bvh.nodes[0];
+  const std::size_t smaller =
+      std::min(built.shape.below[root.first], built.shape.below[root.first + 1]);
+  Trial("5.6 build_sah")
+      .given("mesh", code(mesh))
+      .of("the smaller side of the root")
+      .expect(static_cast<double>(smaller), 1.0, tests::exactly, {{5.0, halved}});
+}
+
+TEST_CASE("No plane between bins is cheaper than a cut on random soups", "[5.6]") {
+  tests::Random random(71);
+  for (int i = 1; i <= 24; ++i) {
+    const int triangles = static_cast<int>(random.uniform(2.0, 80.0));
+    expect_sah(uneven_soup(random, triangles), 1 + i % 4, 2 + i % 16, i, 24);
+  }
+}
+
+TEST_CASE("No plane between bins is cheaper than a cut on smooth meshes", "[5.6]") {
+  common::TriangleMesh sphere = common::bumpy_sphere(800);
+  common::TriangleMesh torus = common::bumpy_torus(600);
+  expect_sah(sphere, 4, 16, 1, 2);
+  expect_sah(torus, 2, 8, 2, 2);
+}
+
+TEST_CASE("Where no plane parts the centroids the triangles are halved", "[5.6]") {
+  const std::vector<std::array<std::uint32_t, 3>> many(700, {0, 1, 2});
+  const common::TriangleMesh same{{Vec3(1, 0, 0), Vec3(0, 2, 0), Vec3(0, 0, 4)}, many};
+  const common::TriangleMesh points{{Vec3(1, 2, 3), Vec3(1, 2, 3), Vec3(1, 2, 3)}, many};
+  int index = 0;
+  for (const common::TriangleMesh& mesh : {same, points}) {
+    const Built built = expect_sah(mesh, 1, 16, ++index, 2);
+    const int deepest = *std::max_element(built.shape.depth.begin(), built.shape.depth.end());
+    Trial("5.6 build_sah", index, 2)
+        .given("mesh", code(mesh))
+        .expect_small("levels beyond those of halving",
+                      std::max(0, deepest - tests::levels_of_halving(many.size(), 1)),
+                      tests::exactly, tests::too_deep);
+  }
+}
+
+TEST_CASE("Clusters that halve in size do not drive the tree below its limit", "[5.6]") {
+  // Each plane parts off a few clusters only; from depth 32 on halving bounds the depth.
+  expect_sah(common::clusters(16 * 150), 1, 2, 1, 2);
+  expect_sah(common::clusters(16 * 150), 2, 3, 2, 2);
+}
+
+TEST_CASE("A huge triangle and slivers still give a tree", "[5.6]") {
+  expect_sah(common::with_huge_triangle(common::bumpy_sphere(300)), 2, 16, 1, 3);
+  expect_sah(common::diagonal_slivers(200), 2, 16, 2, 3);
+  expect_sah(common::flat_grid(9), 3, 7, 3, 3);
+}
+
+TEST_CASE("A broken mesh or leaves below one or a single bin are refused", "[5.6]") {
+  tests::expect_refusals("5.6 build_sah", [](const common::TriangleMesh& mesh, int leaf_size) {
+    return build_sah(mesh, leaf_size, 16);
+  });
+  int index = 0;
+  for (const int bins : {1, 0, -3}) {
+    const common::TriangleMesh mesh = common::bumpy_torus(36);
+    Trial("5.6 build_sah", ++index, 3)
+        .given("bins", static_cast<double>(bins))
+        .expect_throw([&] { return tests::Tree{build_sah(mesh, 4, bins)}; }, "bins is below 2");
+  }
+}

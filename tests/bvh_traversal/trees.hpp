@@ -1,0 +1,174 @@
+#pragma once
+
+#include "judged.hpp"
+#include "random.hpp"
+
+/// Trees made apart from every answer, and what a traversal does with them, in the lecture's words.
+namespace tests {
+
+/// The smallest box of some of the entries.
+inline lab::Box box_around(const std::vector<common::Triangle>& corners, std::size_t first,
+                           std::size_t count) {
+  lab::Box box;
+  for (std::size_t i = first; i < first + count; ++i) {
+    for (const Vec3& corner : corners[i]) {
+      for (Eigen::Index k = 0; k < 3; ++k) {
+        box.low[k] = std::min(box.low[k], corner[k]);
+        box.high[k] = std::max(box.high[k], corner[k]);
+      }
+    }
+  }
+  return box;
+}
+
+/// A tree whose ranges are cut at a third and sorted by x + y + z, so that it is lopsided: depths
+/// of leaves differ, as a traversal must bear.
+class TreeMaker {
+ public:
+  TreeMaker(const common::TriangleMesh& mesh, std::size_t leaf_size) : leaf_size_(leaf_size) {
+    std::vector<std::pair<double, std::uint32_t>> order;
+    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+      const common::Triangle t = common::triangle(mesh, i);
+      order.emplace_back(t[0].sum() + t[1].sum() + t[2].sum(), i);
+    }
+    std::sort(order.begin(), order.end());
+    for (const auto& [place, i] : order) {
+      bvh_.triangles.push_back(i);
+      bvh_.corners.push_back(common::triangle(mesh, i));
+    }
+    bvh_.nodes.emplace_back();
+    make(0, 0, bvh_.corners.size());
+  }
+
+  [[nodiscard]] const lab::Bvh& bvh() const { return bvh_; }
+
+ private:
+  void make(std::size_t node, std::size_t first, std::size_t count) {
+    bvh_.nodes[node].box = box_around(bvh_.corners, first, count);
+    if (count <= leaf_size_) {
+      bvh_.nodes[node].first = static_cast<std::uint32_t>(first);
+      bvh_.nodes[node].count = static_cast<std::uint32_t>(count);
+      return;
+    }
+    const std::size_t child = bvh_.nodes.size();
+    bvh_.nodes[node].first = static_cast<std::uint32_t>(child);
+    bvh_.nodes.resize(child + 2);
+    const std::size_t third = std::max<std::size_t>(count / 3, 1);
+    make(child, first, third);
+    make(child + 1, first + third, count - third);
+  }
+
+  std::size_t leaf_size_;
+  lab::Bvh bvh_;
+};
+
+inline lab::Bvh tree_of(const common::TriangleMesh& mesh, std::size_t leaf_size) {
+  return TreeMaker(mesh, leaf_size).bvh();
+}
+
+/// What can go wrong in a traversal.
+struct Walk {
+  bool leaves = true;            ///< as completed, else as first written
+  bool bigger = true;            ///< else the smaller node is descended
+  bool strict = false;           ///< touching boxes are taken for apart
+  bool both_children = true;     ///< else the first only
+  bool one_leaf = true;          ///< else a leaf and an inner node are given up
+  bool leaf_may_descend = true;  ///< else nothing is done where the bigger one is a leaf
+};
+
+inline double area(const lab::Box& box) {
+  const Vec3 s = box.high - box.low;
+  return 2.0 * (s.x() * s.y() + s.y() * s.z() + s.z() * s.x());
+}
+
+inline bool boxes_meet(const lab::Box& a, const lab::Box& b, bool strict = false) {
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    if (a.high[i] < b.low[i] || b.high[i] < a.low[i]) return false;
+    if (strict && (a.high[i] == b.low[i] || b.high[i] == a.low[i])) return false;
+  }
+  return true;
+}
+
+class Walker {
+ public:
+  Walker(const lab::Bvh& a, const lab::Bvh& b, const Walk& walk = {}) : a_(a), b_(b), walk_(walk) {
+    go(0, 0);
+    std::sort(ends.pairs.begin(), ends.pairs.end());
+  }
+
+  Pairs ends;
+  std::uint64_t box_tests = 0;
+
+ private:
+  void go(std::uint32_t i, std::uint32_t j) {
+    ++box_tests;
+    const lab::BvhNode& a = a_.nodes[i];
+    const lab::BvhNode& b = b_.nodes[j];
+    if (!boxes_meet(a.box, b.box, walk_.strict)) return;
+    bool into_a = area(a.box) >= area(b.box);
+    if (!walk_.bigger) into_a = !into_a;
+    const bool leaf_a = a.count > 0;
+    const bool leaf_b = b.count > 0;
+    if (!walk_.leaves) {
+      if (into_a ? leaf_a : leaf_b) {
+        ends.pairs.push_back({i, j});
+        return;
+      }
+    } else {
+      if (leaf_a && leaf_b) {
+        ends.pairs.push_back({i, j});
+        return;
+      }
+      if ((leaf_a || leaf_b) && !walk_.one_leaf) return;
+      if (!walk_.leaf_may_descend && (into_a ? leaf_a : leaf_b)) return;
+      if (leaf_a) into_a = false;
+      if (leaf_b) into_a = true;
+    }
+    for (std::uint32_t child = 0; child < (walk_.both_children ? 2U : 1U); ++child) {
+      if (into_a) go(a.first + child, j);
+      if (!into_a) go(i, b.first + child);
+    }
+  }
+
+  const lab::Bvh& a_;
+  const lab::Bvh& b_;
+  Walk walk_;
+};
+
+/// Triangles between points of a small grid, where they touch, share and lie in one plane often.
+inline common::TriangleMesh soup(Random& random, int triangles, int grid) {
+  common::TriangleMesh mesh;
+  for (int i = 0; i < 3 * triangles; ++i) {
+    Vec3 point;
+    for (double& x : point) x = std::floor(random.uniform(0.0, grid + 1.0));
+    mesh.vertices.push_back(point);
+  }
+  for (std::uint32_t i = 0; i < mesh.vertices.size(); i += 3) {
+    mesh.triangles.push_back({i, i + 1, i + 2});
+  }
+  return mesh;
+}
+
+/// A larger soup of small triangles, spread over a cube of whole coordinates: areas are exact.
+inline common::TriangleMesh spread(Random& random, int triangles, int size) {
+  common::TriangleMesh mesh = soup(random, triangles, 3);
+  for (std::size_t i = 0; i < mesh.vertices.size(); i += 3) {
+    Vec3 place;
+    for (double& x : place) x = std::floor(random.uniform(0.0, size));
+    for (std::size_t k = i; k < i + 3; ++k) mesh.vertices[k] += place;
+  }
+  return mesh;
+}
+
+inline Code code(const common::TriangleMesh& mesh) {
+  if (mesh.triangles.size() > 8) {
+    return {"a mesh of " + std::to_string(mesh.triangles.size()) + " triangles"};
+  }
+  std::string list = "{";
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    list += (i == 0 ? "" : ", ") + code(common::triangle(mesh, i)).code;
+  }
+  return {list + "}"};
+}
+
+}  // namespace tests

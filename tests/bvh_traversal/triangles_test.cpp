@@ -1,0 +1,261 @@
+#include "judged.hpp"
+#include "random.hpp"
+#include "rational.hpp"
+#include "trees.hpp"
+
+using namespace lab::bvh_traversal;
+using tests::code;
+using tests::Decision;
+using tests::exactly;
+using tests::Trial;
+
+namespace {
+
+const std::string touching = "triangles that only touch are taken for apart: they share a point";
+const std::string in_one_plane =
+    "triangles in one plane are taken for apart: look at their shadows";
+const std::string plane_is_enough =
+    "both cross the other's plane, but not in the same place: their intervals on the common line "
+    "do not overlap";
+const std::string without_plane =
+    "a triangle that is a segment or a point is not seen: it has no plane, but points";
+const std::string rounded =
+    "this is decided by rounding: the sign of a small determinant needs exact arithmetic";
+
+struct Pair {
+  Triangle a;
+  Triangle b;
+};
+
+/// All orders of the corners, and both orders of the triangles, ask the same.
+void expect_meet(const Pair& pair, bool wanted, const std::string& story, int index, int count) {
+  for (const bool swapped : {false, true}) {
+    Triangle a = swapped ? pair.b : pair.a;
+    Triangle b = swapped ? pair.a : pair.b;
+    for (int order = 0; order < 36; ++order) {
+      const Trial trial =
+          Trial("5.5 triangles_meet", index, count).given("a", code(a)).given("b", code(b));
+      const bool got = trial.returned([&] { return triangles_meet(a, b); });
+      trial.expect(Decision{got}, Decision{wanted}, exactly, {{Decision{!wanted}, story}});
+      std::swap(a[0], a[1]);
+      if (order % 2 == 1) std::swap(a[1], a[2]);
+      if (order % 6 == 5) std::swap(b[0], b[1]);
+      if (order % 12 == 11) std::swap(b[1], b[2]);
+    }
+  }
+}
+
+void expect_all(const std::vector<Pair>& pairs, bool wanted, const std::string& story) {
+  int index = 0;
+  for (const Pair& pair : pairs) {
+    // The case itself is what its name says.
+    REQUIRE(tests::meet_exactly(pair.a, pair.b) == wanted);
+    expect_meet(pair, wanted, story, ++index, static_cast<int>(pairs.size()));
+  }
+}
+
+Triangle times(const Triangle& t, double factor) {
+  return {factor * t[0], factor * t[1], factor * t[2]};
+}
+
+Triangle plus(const Triangle& t, const Vec3& offset) {
+  return {t[0] + offset, t[1] + offset, t[2] + offset};
+}
+
+const Triangle floor_{Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(0, 4, 0)};
+
+bool is_degenerate(const Triangle& t) {
+  const tests::Point p = tests::exact(t[0]);
+  return tests::is_zero(tests::cross(tests::exact(t[1]) - p, tests::exact(t[2]) - p));
+}
+
+bool is_in_plane_of(const Triangle& a, const Triangle& b) {
+  const tests::Point p = tests::exact(a[0]);
+  const tests::Point n = tests::cross(tests::exact(a[1]) - p, tests::exact(a[2]) - p);
+  return std::all_of(b.begin(), b.end(),
+                     [&](const Vec3& x) { return tests::dot(n, tests::exact(x) - p).is_zero(); });
+}
+
+std::string story_of(const Triangle& a, const Triangle& b, bool wanted) {
+  if (!wanted) return "";
+  if (is_degenerate(a) || is_degenerate(b)) return without_plane;
+  return is_in_plane_of(a, b) ? in_one_plane : "";
+}
+
+void expect_as_in_rationals(const Triangle& a, const Triangle& b, int index, int count) {
+  const Trial trial =
+      Trial("5.5 triangles_meet", index, count).given("a", code(a)).given("b", code(b));
+  const bool got = trial.returned([&] { return triangles_meet(a, b); });
+  const bool wanted = tests::meet_exactly(a, b);
+  const std::string story = got == wanted ? "" : story_of(a, b, wanted);
+  std::vector<tests::Suspect<Decision>> suspects;
+  if (!story.empty()) suspects.push_back({Decision{!wanted}, story});
+  trial.expect(Decision{got}, Decision{wanted}, exactly, suspects);
+}
+
+Triangle on_grid(tests::Random& random, int grid) {
+  return common::triangle(tests::soup(random, 1, grid), 0);
+}
+
+}  // namespace
+
+TEST_CASE("Triangles that cross meet", "[5.5]") {
+  expect_all({{floor_, {Vec3(1, 1, -1), Vec3(1, 1, 3), Vec3(5, 5, 1)}},
+              {floor_, {Vec3(-1, 1, -1), Vec3(9, 1, -1), Vec3(1, 1, 5)}},
+              {floor_, {Vec3(1, 1, -1), Vec3(2, 1, -1), Vec3(1, 1, 5)}}},
+             true, "");
+}
+
+TEST_CASE("Triangles on one side of a plane do not meet", "[5.5]") {
+  expect_all({{floor_, plus(floor_, Vec3(0, 0, 1))},
+              {floor_, {Vec3(1, 1, 1), Vec3(1, 1, 3), Vec3(5, 5, 1)}},
+              {floor_, {Vec3(9, 9, -1), Vec3(9, 9, 3), Vec3(12, 9, 1)}}},
+             false, "");
+}
+
+TEST_CASE("Triangles that cross a plane beside each other do not meet", "[5.5]") {
+  expect_all({{floor_, {Vec3(5, -1, -1), Vec3(5, -1, 3), Vec3(5, 3, 1)}},
+              {floor_, {Vec3(-1, -1, -1), Vec3(-1, -1, 1), Vec3(-2, 5, 0)}},
+              {floor_, {Vec3(3, 3, -1), Vec3(3, 3, 1), Vec3(8, 7, 0)}},
+              {{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 0, 1)},
+               {Vec3(2, -1, 0.25), Vec3(2, 1, 0.25), Vec3(3, 0, 0.5)}}},
+             false, plane_is_enough);
+}
+
+TEST_CASE("Touching corners edges and faces meet", "[5.5]") {
+  expect_all({{floor_, {Vec3(1, 1, 0), Vec3(1, 1, 3), Vec3(2, 1, 3)}},     // a corner on the face
+              {floor_, {Vec3(2, 0, 0), Vec3(2, 0, 3), Vec3(3, -1, 3)}},    // a corner on an edge
+              {floor_, {Vec3(4, 0, 0), Vec3(5, 0, 3), Vec3(5, 1, 3)}},     // corner on corner
+              {floor_, {Vec3(2, -1, -1), Vec3(2, -1, 1), Vec3(2, 1, 0)}},  // through an edge
+              {floor_, {Vec3(1, 0, -1), Vec3(1, 0, 1), Vec3(1, -3, 0)}},   // edge across edge
+              {floor_, {Vec3(1, 1, 0), Vec3(2, 1, 0), Vec3(1, 1, 5)}},     // an edge on the face
+              {floor_, {Vec3(4, 0, -1), Vec3(4, 0, 1), Vec3(7, 0, 0)}}},   // an edge on a corner
+             true, touching);
+}
+
+TEST_CASE("Neighbours that share a corner or an edge meet", "[5.5]") {
+  expect_all({{floor_, {Vec3(0, 0, 0), Vec3(-1, 0, 3), Vec3(0, -1, 3)}},
+              {floor_, {Vec3(4, 0, 0), Vec3(0, 4, 0), Vec3(4, 4, 3)}},
+              {floor_, {Vec3(4, 0, 0), Vec3(0, 0, 0), Vec3(1, 1, -3)}}},
+             true, touching);
+}
+
+TEST_CASE("Triangles in one plane meet where they overlap or touch", "[5.5]") {
+  expect_all({{floor_, floor_},
+              {floor_, plus(floor_, Vec3(1, 1, 0))},
+              {floor_, {Vec3(1, 1, 0), Vec3(2, 1, 0), Vec3(1, 2, 0)}},  // inside
+              {floor_, {Vec3(-9, -9, 0), Vec3(30, -9, 0), Vec3(-9, 30, 0)}},
+              {floor_, {Vec3(4, 0, 0), Vec3(8, 0, 0), Vec3(8, 1, 0)}},   // corner on corner
+              {floor_, {Vec3(2, 2, 0), Vec3(5, 3, 0), Vec3(5, 5, 0)}},   // corner on edge
+              {floor_, {Vec3(4, 0, 0), Vec3(0, 4, 0), Vec3(4, 4, 0)}},   // shared edge
+              {floor_, {Vec3(-1, 1, 0), Vec3(9, 1, 0), Vec3(9, 2, 0)}},  // across, no corner inside
+              {{Vec3(0, 0, 0), Vec3(2, 2, 4), Vec3(4, 0, 4)},
+               {Vec3(1, 1, 2), Vec3(3, 3, 6), Vec3(5, 1, 6)}}},  // in no axis plane
+             true, in_one_plane);
+}
+
+TEST_CASE("Triangles in one plane that are apart do not meet", "[5.5]") {
+  expect_all(
+      {{floor_, {Vec3(4, 4, 0), Vec3(4, 1, 0), Vec3(1, 4, 0)}},
+       {floor_, {Vec3(5, 0, 0), Vec3(8, 0, 0), Vec3(8, 1, 0)}},
+       {floor_, {Vec3(-1, -1, 0), Vec3(-1, 9, 0), Vec3(-2, 3, 0)}},
+       {{Vec3(0, 0, 0), Vec3(2, 2, 4), Vec3(4, 0, 4)},
+        {Vec3(2, 2, 4) + Vec3(1, -1, 0) * 2.5, Vec3(4, 0, 4) + Vec3(1, -1, 0), Vec3(9, 1, 10)}}},
+      false, "");
+}
+
+TEST_CASE("A segment or a point meets what it has a point in common with", "[5.5]") {
+  const auto segment = [](const Vec3& p, const Vec3& q) { return Triangle{p, 0.5 * (p + q), q}; };
+  const auto point = [](const Vec3& p) { return Triangle{p, p, p}; };
+  expect_all({{floor_, segment(Vec3(1, 1, -2), Vec3(1, 1, 2))},
+              {floor_, segment(Vec3(1, 1, 0), Vec3(1, 1, 2))},
+              {floor_, segment(Vec3(0, 0, -2), Vec3(0, 0, 2))},
+              {floor_, segment(Vec3(-2, 1, 0), Vec3(9, 2, 0))},
+              {floor_, segment(Vec3(1, 1, 0), Vec3(2, 1, 0))},
+              {floor_, {Vec3(1, 1, -2), Vec3(1, 1, -2), Vec3(1, 1, 2)}},
+              {floor_, point(Vec3(1, 1, 0))},
+              {floor_, point(Vec3(2, 2, 0))},
+              {floor_, point(Vec3(0, 4, 0))},
+              {segment(Vec3(-1, 0, 3), Vec3(1, 0, 3)), segment(Vec3(0, -1, 3), Vec3(0, 1, 3))},
+              {segment(Vec3(0, 0, 0), Vec3(2, 4, 6)), segment(Vec3(1, 2, 3), Vec3(3, 6, 9))},
+              {segment(Vec3(0, 0, 0), Vec3(2, 4, 6)), segment(Vec3(2, 4, 6), Vec3(3, 7, 9))},
+              {segment(Vec3(0, 0, 0), Vec3(2, 4, 6)), point(Vec3(1, 2, 3))},
+              {point(Vec3(1, 2, 3)), point(Vec3(1, 2, 3))}},
+             true, without_plane);
+}
+
+TEST_CASE("A segment or a point that is beside does not meet", "[5.5]") {
+  const auto segment = [](const Vec3& p, const Vec3& q) { return Triangle{p, 0.5 * (p + q), q}; };
+  const auto point = [](const Vec3& p) { return Triangle{p, p, p}; };
+  expect_all({{floor_, segment(Vec3(3, 3, -2), Vec3(3, 3, 2))},
+              {floor_, segment(Vec3(1, 1, 1), Vec3(1, 1, 2))},
+              {floor_, segment(Vec3(5, 0, 0), Vec3(0, 5, 0))},
+              {floor_, segment(Vec3(5, 0, 0), Vec3(9, 0, 0))},
+              {floor_, point(Vec3(3, 3, 0))},
+              {floor_, point(Vec3(1, 1, 1e-60))},
+              {segment(Vec3(-1, 0, 3), Vec3(1, 0, 3)), segment(Vec3(0, -1, 4), Vec3(0, 1, 4))},
+              {segment(Vec3(0, 0, 0), Vec3(2, 4, 6)), segment(Vec3(3, 6, 9), Vec3(4, 8, 12))},
+              {segment(Vec3(0, 0, 0), Vec3(2, 4, 6)), segment(Vec3(0, 0, 1), Vec3(2, 4, 7))},
+              {segment(Vec3(0, 0, 0), Vec3(2, 4, 6)), point(Vec3(1, 2, 4))},
+              {point(Vec3(1, 2, 3)), point(Vec3(1, 2, 4))}},
+             false, "");
+}
+
+TEST_CASE("A gap of the last bit is a gap", "[5.5]") {
+  const double next = std::nextafter(1.0, 2.0);
+  const Triangle at_one = plus(floor_, Vec3::UnitZ());
+  Triangle above = at_one;
+  for (Vec3& p : above) p.z() = next;
+  const Triangle slope{Vec3(0.1, 0.2, 0.3), Vec3(0.7, 0.1, 0.9), Vec3(0.2, 0.8, 0.4)};
+  const Vec3 middle(0.3, 0.3, std::nextafter(0.47, 1.0));
+  expect_all({{at_one, above}, {at_one, {Vec3(1, 1, next), Vec3(1, 1, 3), Vec3(2, 1, 3)}}}, false,
+             rounded);
+  // A needle that ends about where the slope is: which side it ends on is a matter of the last bit.
+  int index = 0;
+  for (int k = -40; k <= 40; ++k) {
+    const Vec3 end = middle + Vec3(0.0, 0.0, 2e-17 * k + 5e-17 * (k % 7));
+    const Triangle needle{end, Vec3(0.31, 0.3, 2.0), Vec3(0.3, 0.31, 2.0)};
+    expect_meet({slope, needle}, tests::meet_exactly(slope, needle), rounded, ++index, 81);
+  }
+}
+
+TEST_CASE("Corners within rounding of a plane or an edge are decided exactly", "[5.5]") {
+  tests::Random random(51);
+  for (int i = 1; i <= 300; ++i) {
+    const Triangle a{random.vector(), random.vector(), random.vector()};
+    const double s = random.uniform(0.0, 0.5);
+    const double t = i % 3 == 0 ? 1.0 - s : random.uniform(0.0, 0.5);
+    const Vec3 on_a = a[0] + s * (a[1] - a[0]) + t * (a[2] - a[0]);
+    const Triangle b{on_a, on_a + random.vector(), on_a + random.vector()};
+    const Trial trial = Trial("5.5 triangles_meet", i, 300).given("a", code(a)).given("b", code(b));
+    const bool got = trial.returned([&] { return triangles_meet(a, b); });
+    const bool wanted = tests::meet_exactly(a, b);
+    trial.expect(Decision{got}, Decision{wanted}, exactly, {{Decision{!wanted}, rounded}});
+  }
+}
+
+TEST_CASE("Triangles of a small grid meet as in rational arithmetic", "[5.5]") {
+  tests::Random random(52);
+  for (int i = 1; i <= 3000; ++i) {
+    const int grid = 1 + i % 3;
+    expect_as_in_rationals(on_grid(random, grid), on_grid(random, grid), i, 3000);
+  }
+}
+
+TEST_CASE("Far off and tiny triangles meet as in rational arithmetic", "[5.5]") {
+  tests::Random random(53);
+  int index = 0;
+  for (const double size : {1e-60, 1e-12, 1e60}) {
+    for (int i = 0; i < 200; ++i) {
+      expect_as_in_rationals(times(on_grid(random, 3), size), times(on_grid(random, 3), size),
+                             ++index, 1000);
+    }
+  }
+  for (const double offset : {1e6, 1e9}) {
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 far = Vec3::Constant(offset);
+      expect_as_in_rationals(plus(times(on_grid(random, 3), 0.1), far),
+                             plus(times(on_grid(random, 3), 0.1), far), ++index, 1000);
+    }
+  }
+}

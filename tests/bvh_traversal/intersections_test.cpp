@@ -56,7 +56,7 @@ void expect_counts(const TriangleMesh& mesh_a, const TriangleMesh& mesh_b, std::
 
 TriangleMesh turned_torus(std::size_t triangles) {
   TriangleMesh torus = common::bumpy_torus(triangles);
-  for (Vec3& v : torus.vertices) v = Vec3(v.x() + 0.9, v.z() + 0.05, v.y() + 0.1 * v.x());
+  for (Vec3& v : torus.vertices) v = Vec3(v.x() + 0.9, v.z() + 0.05, v.y() + 0.1 * v.x() + 0.3);
   return torus;
 }
 

@@ -3,94 +3,134 @@
 #include <algorithm>
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
 #include <vector>
 
 #include "common/triangle_mesh.hpp"
 
 /// Whether two triangles meet, in rational arithmetic: one is cut down to the other, and they meet
-/// where anything is left. It shares nothing with the answers.
+/// where anything is left. It shares nothing with the answers. A rational point is held as whole
+/// numbers over one whole number, so that nothing need be divided.
 namespace tests {
 
-using Rational = boost::multiprecision::cpp_rational;
+using Whole = boost::multiprecision::cpp_int;
+using Vector = std::array<Whole, 3>;
+
+/// A triangle in a unit that is small enough for its corners to be whole.
+using WholeTriangle = std::array<Vector, 3>;
+
 struct Point {
-  std::array<Rational, 3> x;
-  Rational& operator[](std::size_t i) { return x[i]; }
-  const Rational& operator[](std::size_t i) const { return x[i]; }
+  Vector place;  ///< times weight
+  Whole weight;  ///< above zero
 };
 
-inline Point operator-(const Point& a, const Point& b) {
+inline Vector minus(const Vector& a, const Vector& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
-inline Rational dot(const Point& a, const Point& b) {
+inline Whole dot(const Vector& a, const Vector& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
-inline Point cross(const Point& a, const Point& b) {
+inline Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-inline bool is_zero(const Point& a) { return a[0].is_zero() && a[1].is_zero() && a[2].is_zero(); }
+inline bool is_zero(const Vector& a) { return a[0].is_zero() && a[1].is_zero() && a[2].is_zero(); }
+inline Vector normal(const WholeTriangle& t) { return cross(minus(t[1], t[0]), minus(t[2], t[0])); }
 
-inline Point exact(const common::Vec3& v) {
-  return {Rational(v.x()), Rational(v.y()), Rational(v.z())};
+/// Both in the same unit.
+inline std::array<WholeTriangle, 2> whole(const common::Triangle& a, const common::Triangle& b) {
+  int unit = 2000;
+  for (const common::Triangle* t : {&a, &b}) {
+    for (const common::Vec3& corner : *t) {
+      for (const double x : corner) {
+        if (x != 0.0) unit = std::min(unit, std::ilogb(x) - 52);
+      }
+    }
+  }
+  std::array<WholeTriangle, 2> both;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto axis = static_cast<Eigen::Index>(k);
+      both[0][i][k] = Whole(std::ldexp(a[i][axis], -unit));
+      both[1][i][k] = Whole(std::ldexp(b[i][axis], -unit));
+    }
+  }
+  return both;
 }
 
-/// What the hull of the points has in (x − origin) · normal ≥ 0, as the hull of the points
-/// returned.
-inline std::vector<Point> cut(const std::vector<Point>& points, const Point& origin,
-                              const Point& normal) {
+/// The point p a + q b, p and q of one sign together with the weights.
+inline Point blend(const Whole& p, const Point& a, const Whole& q, const Point& b) {
+  Point sum;
+  for (std::size_t i = 0; i < 3; ++i) sum.place[i] = p * a.place[i] + q * b.place[i];
+  sum.weight = p * a.weight + q * b.weight;
+  return sum;
+}
+
+/// What the hull of the points has in (x − origin) · normal ≥ 0, as the hull of those returned.
+inline std::vector<Point> cut(const std::vector<Point>& points, const Vector& origin,
+                              const Vector& normal) {
+  const Whole offset = dot(origin, normal);
+  std::vector<Whole> heights;
+  for (const Point& p : points) heights.push_back(dot(p.place, normal) - offset * p.weight);
   std::vector<Point> kept;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Point& p = points[i];
-    const Point& q = points[(i + 1) % points.size()];
-    const Rational at_p = dot(p - origin, normal);
-    const Rational at_q = dot(q - origin, normal);
-    if (at_p >= 0) kept.push_back(p);
-    if (at_p.sign() * at_q.sign() >= 0) continue;
-    const Rational t = at_p / (at_p - at_q);
-    const Point d = q - p;
-    kept.push_back({p[0] + t * d[0], p[1] + t * d[1], p[2] + t * d[2]});
+    const std::size_t j = (i + 1) % points.size();
+    const int at_i = heights[i].sign();
+    const int at_j = heights[j].sign();
+    if (at_i >= 0) kept.push_back(points[i]);
+    if (at_i * at_j >= 0) continue;
+    kept.push_back(at_i > 0 ? blend(heights[i], points[j], -heights[j], points[i])
+                            : blend(heights[j], points[i], -heights[i], points[j]));
   }
   return kept;
 }
 
-inline std::vector<Point> cut_on_both_sides(const std::vector<Point>& points, const Point& origin,
-                                            const Point& normal) {
-  const Point opposite{-normal[0], -normal[1], -normal[2]};
+inline std::vector<Point> cut_on_both_sides(const std::vector<Point>& points, const Vector& origin,
+                                            const Vector& normal) {
+  const Vector opposite{-normal[0], -normal[1], -normal[2]};
   return cut(cut(points, origin, normal), origin, opposite);
 }
 
 /// The two ends of corners that are on one line.
-inline std::array<Point, 2> ends(const std::array<Point, 3>& t) {
-  std::array<Point, 2> longest{t[0], t[1]};
-  for (const auto& [i, j] : {std::array{1, 2}, std::array{2, 0}}) {
-    const Point d = t[static_cast<std::size_t>(j)] - t[static_cast<std::size_t>(i)];
-    const Point e = longest[1] - longest[0];
-    if (dot(d, d) > dot(e, e)) {
-      longest = {t[static_cast<std::size_t>(i)], t[static_cast<std::size_t>(j)]};
-    }
+inline std::array<Vector, 2> ends(const WholeTriangle& t) {
+  std::array<Vector, 2> longest{t[0], t[1]};
+  for (const std::size_t i : {1U, 2U}) {
+    const Vector d = minus(t[(i + 1) % 3], t[i]);
+    const Vector e = minus(longest[1], longest[0]);
+    if (dot(d, d) > dot(e, e)) longest = {t[i], t[(i + 1) % 3]};
   }
   return longest;
 }
 
 inline bool meet_exactly(const common::Triangle& a, const common::Triangle& b) {
-  std::vector<Point> left{exact(a[0]), exact(a[1]), exact(a[2])};
-  const std::array<Point, 3> t{exact(b[0]), exact(b[1]), exact(b[2])};
-  const Point n = cross(t[1] - t[0], t[2] - t[0]);
+  const auto [s, t] = whole(a, b);
+  std::vector<Point> left{{s[0], 1}, {s[1], 1}, {s[2], 1}};
+  const Vector n = normal(t);
   if (!is_zero(n)) {
     left = cut_on_both_sides(left, t[0], n);
-    for (std::size_t i = 0; i < 3; ++i) left = cut(left, t[i], cross(n, t[(i + 1) % 3] - t[i]));
+    for (std::size_t i = 0; i < 3; ++i)
+      left = cut(left, t[i], cross(n, minus(t[(i + 1) % 3], t[i])));
     return !left.empty();
   }
   const auto [p, q] = ends(t);
-  const Point e = q - p;
+  const Vector e = minus(q, p);
   for (std::size_t i = 0; i < 3; ++i) {
-    Point axis{};
+    Vector axis{};
     axis[i] = 1;
     // Across a segment; all three ways from a point.
     left = cut_on_both_sides(left, p, is_zero(e) ? axis : cross(e, axis));
   }
   if (is_zero(e)) return !left.empty();
-  left = cut(cut(left, p, e), q, p - q);
-  return !left.empty();
+  return !cut(cut(left, p, e), q, minus(p, q)).empty();
+}
+
+inline bool is_degenerate(const common::Triangle& t) { return is_zero(normal(whole(t, t)[0])); }
+
+inline bool are_in_one_plane(const common::Triangle& a, const common::Triangle& b) {
+  const auto [s, t] = whole(a, b);
+  const Vector n = normal(s);
+  return std::all_of(t.begin(), t.end(), [&, &corners = s](const Vector& x) {
+    return dot(n, minus(x, corners[0])) == 0;
+  });
 }
 
 }  // namespace tests

@@ -21,18 +21,12 @@ inline lab::Box box_around(const std::vector<common::Triangle>& corners, std::si
   return box;
 }
 
-/// A tree whose ranges are cut at a third and sorted by x + y + z, so that it is lopsided: depths
-/// of leaves differ, as a traversal must bear.
+/// A tree whose ranges are cut at a third along the longest side of their box, so that it is
+/// lopsided: depths of leaves differ, as a traversal must bear.
 class TreeMaker {
  public:
   TreeMaker(const common::TriangleMesh& mesh, std::size_t leaf_size) : leaf_size_(leaf_size) {
-    std::vector<std::pair<double, std::uint32_t>> order;
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-      const common::Triangle t = common::triangle(mesh, i);
-      order.emplace_back(t[0].sum() + t[1].sum() + t[2].sum(), i);
-    }
-    std::sort(order.begin(), order.end());
-    for (const auto& [place, i] : order) {
       bvh_.triangles.push_back(i);
       bvh_.corners.push_back(common::triangle(mesh, i));
     }
@@ -44,18 +38,37 @@ class TreeMaker {
 
  private:
   void make(std::size_t node, std::size_t first, std::size_t count) {
-    bvh_.nodes[node].box = box_around(bvh_.corners, first, count);
+    const lab::Box box = box_around(bvh_.corners, first, count);
+    bvh_.nodes[node].box = box;
     if (count <= leaf_size_) {
       bvh_.nodes[node].first = static_cast<std::uint32_t>(first);
       bvh_.nodes[node].count = static_cast<std::uint32_t>(count);
       return;
     }
+    Eigen::Index axis = 0;
+    (box.high - box.low).maxCoeff(&axis);
+    sort(first, count, axis);
     const std::size_t child = bvh_.nodes.size();
     bvh_.nodes[node].first = static_cast<std::uint32_t>(child);
     bvh_.nodes.resize(child + 2);
     const std::size_t third = std::max<std::size_t>(count / 3, 1);
     make(child, first, third);
     make(child + 1, first + third, count - third);
+  }
+
+  void sort(std::size_t first, std::size_t count, Eigen::Index axis) {
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t i = first; i < first + count; ++i) {
+      const common::Triangle& t = bvh_.corners[i];
+      order.emplace_back(t[0][axis] + t[1][axis] + t[2][axis], i);
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<std::pair<std::uint32_t, common::Triangle>> sorted;
+    for (const auto& [place, i] : order) sorted.emplace_back(bvh_.triangles[i], bvh_.corners[i]);
+    for (std::size_t i = 0; i < count; ++i) {
+      bvh_.triangles[first + i] = sorted[i].first;
+      bvh_.corners[first + i] = sorted[i].second;
+    }
   }
 
   std::size_t leaf_size_;

@@ -64,22 +64,10 @@ Triangle plus(const Triangle& t, const Vec3& offset) {
 
 const Triangle floor_{Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(0, 4, 0)};
 
-bool is_degenerate(const Triangle& t) {
-  const tests::Point p = tests::exact(t[0]);
-  return tests::is_zero(tests::cross(tests::exact(t[1]) - p, tests::exact(t[2]) - p));
-}
-
-bool is_in_plane_of(const Triangle& a, const Triangle& b) {
-  const tests::Point p = tests::exact(a[0]);
-  const tests::Point n = tests::cross(tests::exact(a[1]) - p, tests::exact(a[2]) - p);
-  return std::all_of(b.begin(), b.end(),
-                     [&](const Vec3& x) { return tests::dot(n, tests::exact(x) - p).is_zero(); });
-}
-
 std::string story_of(const Triangle& a, const Triangle& b, bool wanted) {
   if (!wanted) return "";
-  if (is_degenerate(a) || is_degenerate(b)) return without_plane;
-  return is_in_plane_of(a, b) ? in_one_plane : "";
+  if (tests::is_degenerate(a) || tests::is_degenerate(b)) return without_plane;
+  return tests::are_in_one_plane(a, b) ? in_one_plane : "";
 }
 
 void expect_as_in_rationals(const Triangle& a, const Triangle& b, int index, int count) {

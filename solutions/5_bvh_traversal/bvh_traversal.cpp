@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "common/orientation.hpp"
-#include "common/require.hpp"
 
 namespace lab::bvh_traversal {
 
@@ -170,9 +168,7 @@ namespace {
 
 /// Whether to go on with the children of a, else with those of b: not both are leaves.
 bool descend_a(const BvhNode& a, const BvhNode& b) {
-  if (is_leaf(a)) return false;
-  if (is_leaf(b)) return true;
-  return a_is_bigger(a, b);
+  return !is_leaf(a) && (is_leaf(b) || a_is_bigger(a, b));
 }
 
 /// Calls at_leaves with each pair of leaves whose boxes overlap. Returns the number of box tests.
@@ -233,28 +229,23 @@ bool one_side(const Signs& s) {
   return (s[0] > 0 && s[1] > 0 && s[2] > 0) || (s[0] < 0 && s[1] < 0 && s[2] < 0);
 }
 
-/// Whether plain arithmetic is sure that all of b is strictly on one side of a's plane.
-bool surely_apart(const Triangle& a, const Triangle& b) {
-  const Vec3 e = a[1] - a[0];
-  const Vec3 f = a[2] - a[0];
-  const Vec3 n = e.cross(f);
-  const std::array<Vec3, 3> d{b[0] - a[0], b[1] - a[0], b[2] - a[0]};
-  const double distance0 = n.dot(d[0]);
-  const double distance1 = n.dot(d[1]);
-  const double distance2 = n.dot(d[2]);
-  // Each is a sum of six products of three differences; a dozen roundings of 2⁻⁵³, doubled.
-  const double reach = std::max(
-      {d[0].cwiseAbs().maxCoeff(), d[1].cwiseAbs().maxCoeff(), d[2].cwiseAbs().maxCoeff()});
-  const double error =
-      2e-14 * e.cwiseAbs().maxCoeff() * f.cwiseAbs().maxCoeff() * reach + 1e-290 * (1.0 + reach);
-  return (distance0 > error && distance1 > error && distance2 > error) ||
-         (distance0 < -error && distance1 < -error && distance2 < -error);
-}
-
+/// On which sides of the plane the points are: by plain arithmetic where that is sure, exactly
+/// where it is not.
 Signs sides(const Triangle& plane, const Triangle& points) {
+  const Vec3 e = plane[1] - plane[0];
+  const Vec3 f = plane[2] - plane[0];
+  const Vec3 n = e.cross(f);
+  const double size = e.cwiseAbs().maxCoeff() * f.cwiseAbs().maxCoeff();
   Signs signs{};
   for (std::size_t i = 0; i < 3; ++i) {
-    signs[i] = orientation(plane[0], plane[1], plane[2], points[i]);
+    const Vec3 d = points[i] - plane[0];
+    const double distance = n.dot(d);
+    // A sum of six products of three differences: a dozen roundings of 2⁻⁵³, doubled.
+    const double reach = d.cwiseAbs().maxCoeff();
+    const double error = 2e-14 * size * reach + 1e-290 * (1.0 + reach);
+    signs[i] = distance > error    ? 1
+               : distance < -error ? -1
+                                   : orientation(plane[0], plane[1], plane[2], points[i]);
   }
   return signs;
 }
@@ -337,7 +328,6 @@ bool are_skew(const Triangle& a, const Triangle& b) {
 }  // namespace
 
 bool triangles_meet(const Triangle& a, const Triangle& b) {
-  if (surely_apart(a, b) || surely_apart(b, a)) return false;
   const Signs side_a = sides(b, a);
   if (one_side(side_a)) return false;
   const Signs side_b = sides(a, b);
@@ -420,10 +410,15 @@ namespace {
 
 constexpr int depth_of_last_sah_cut = 31;
 
+/// Triangles side by side: what is between two planes, or all on one side of one.
 struct Bin {
   Box box;
   double count = 0.0;
 };
+
+Bin operator+(const Bin& a, const Bin& b) { return {merged(a.box, b.box), a.count + b.count}; }
+
+double cost(const Bin& side) { return surface_area(side.box) * side.count; }
 
 struct Plane {
   double cost = std::numeric_limits<double>::infinity();
@@ -433,7 +428,7 @@ struct Plane {
 
 class SahCut {
  public:
-  explicit SahCut(int bins) : bins_(bins), right_cost_(static_cast<std::size_t>(bins)) {}
+  explicit SahCut(int bins) : bins_(bins) {}
 
   Iterator operator()(Iterator begin, Iterator end, int depth) const {
     if (depth > depth_of_last_sah_cut) return halved(begin, end);
@@ -454,31 +449,31 @@ class SahCut {
     return std::min(static_cast<int>(place), bins_ - 1);
   }
 
-  /// Keeps the best plane across the axis where it is better than the best so far.
+  /// Keeps the best plane across the axis where it is better than the best so far. The first and
+  /// the last bin are never empty: no plane has an empty side.
   void try_planes(Iterator begin, Iterator end, const Box& spread, Eigen::Index axis,
                   Plane& best) const {
     if (!(spread.high[axis] > spread.low[axis])) return;
     std::vector<Bin> bins(static_cast<std::size_t>(bins_));
     for (Iterator i = begin; i != end; ++i) {
       Bin& bin = bins[static_cast<std::size_t>(bin_of(*i, spread, axis))];
-      bin.box = merged(bin.box, i->box);
-      bin.count += 1.0;
+      bin = bin + Bin{i->box, 1.0};
     }
+    std::vector<double> right_cost(bins.size());
     Bin right;
     for (std::size_t i = bins.size(); --i > 0;) {
-      right = {merged(right.box, bins[i].box), right.count + bins[i].count};
-      right_cost_[i] = surface_area(right.box) * right.count;
+      right = right + bins[i];
+      right_cost[i] = cost(right);
     }
     Bin left;
     for (std::size_t i = 1; i < bins.size(); ++i) {
-      left = {merged(left.box, bins[i - 1].box), left.count + bins[i - 1].count};
-      const double cost = surface_area(left.box) * left.count + right_cost_[i];
-      if (cost < best.cost) best = {cost, axis, static_cast<int>(i)};
+      left = left + bins[i - 1];
+      const double both = cost(left) + right_cost[i];
+      if (both < best.cost) best = {both, axis, static_cast<int>(i)};
     }
   }
 
   int bins_;
-  mutable std::vector<double> right_cost_;
 };
 
 }  // namespace

@@ -95,15 +95,16 @@ inline const std::string too_deep =
     "the tree is too deep: where no cut parts the triangles, halve them by number";
 inline const std::string leaf_too_large = "a leaf holds more than leaf_size triangles";
 
+inline void expect_finite(const Trial& trial, const lab::Bvh& bvh) {
+  trial.of("the boxes of the nodes")
+      .expect_small("1 where one is not finite",
+                    is_finite(Tree{bvh}) ? 0.0 : std::numeric_limits<double>::quiet_NaN(), exactly);
+}
+
 /// Requires that it is a Bvh of the mesh; returns its shape.
 inline Shape expect_structure(const Trial& trial, const lab::Bvh& bvh,
                               const common::TriangleMesh& mesh, int leaf_size) {
-  for (const lab::BvhNode& node : bvh.nodes) {
-    trial.of("the box of a node")
-        .expect_small("its size beyond all bounds",
-                      is_finite(Corners{node.box}) ? 0.0 : std::numeric_limits<double>::quiet_NaN(),
-                      exactly);
-  }
+  expect_finite(trial, bvh);
   trial.of("the links")
       .expect_small(
           "nodes without exactly one parent in front of them, and entries "

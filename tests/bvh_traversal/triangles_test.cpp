@@ -70,12 +70,14 @@ std::string story_of(const Triangle& a, const Triangle& b, bool wanted) {
   return tests::are_in_one_plane(a, b) ? in_one_plane : "";
 }
 
-void expect_as_in_rationals(const Triangle& a, const Triangle& b, int index, int count) {
+/// tells  what is likely, where coordinates are small whole numbers and rounding has no part in it
+void expect_as_in_rationals(const Triangle& a, const Triangle& b, bool tells, int index,
+                            int count) {
   const Trial trial =
       Trial("5.5 triangles_meet", index, count).given("a", code(a)).given("b", code(b));
   const bool got = trial.returned([&] { return triangles_meet(a, b); });
   const bool wanted = tests::meet_exactly(a, b);
-  const std::string story = got == wanted ? "" : story_of(a, b, wanted);
+  const std::string story = tells && got != wanted ? story_of(a, b, wanted) : "";
   std::vector<tests::Suspect<Decision>> suspects;
   if (!story.empty()) suspects.push_back({Decision{!wanted}, story});
   trial.expect(Decision{got}, Decision{wanted}, exactly, suspects);
@@ -218,7 +220,10 @@ TEST_CASE("Corners within rounding of a plane or an edge are decided exactly", "
     const Trial trial = Trial("5.5 triangles_meet", i, 300).given("a", code(a)).given("b", code(b));
     const bool got = trial.returned([&] { return triangles_meet(a, b); });
     const bool wanted = tests::meet_exactly(a, b);
-    trial.expect(Decision{got}, Decision{wanted}, exactly, {{Decision{!wanted}, rounded}});
+    // Beyond an edge both cross the other's plane, and more than rounding may be to blame.
+    std::vector<tests::Suspect<Decision>> suspects;
+    if (i % 3 != 0) suspects.push_back({Decision{!wanted}, rounded});
+    trial.expect(Decision{got}, Decision{wanted}, exactly, suspects);
   }
 }
 
@@ -226,7 +231,7 @@ TEST_CASE("Triangles of a small grid meet as in rational arithmetic", "[5.5]") {
   tests::Random random(52);
   for (int i = 1; i <= 3000; ++i) {
     const int grid = 1 + i % 3;
-    expect_as_in_rationals(on_grid(random, grid), on_grid(random, grid), i, 3000);
+    expect_as_in_rationals(on_grid(random, grid), on_grid(random, grid), true, i, 3000);
   }
 }
 
@@ -236,14 +241,14 @@ TEST_CASE("Far off and tiny triangles meet as in rational arithmetic", "[5.5]") 
   for (const double size : {1e-60, 1e-12, 1e60}) {
     for (int i = 0; i < 200; ++i) {
       expect_as_in_rationals(times(on_grid(random, 3), size), times(on_grid(random, 3), size),
-                             ++index, 1000);
+                             false, ++index, 1000);
     }
   }
   for (const double offset : {1e6, 1e9}) {
     for (int i = 0; i < 200; ++i) {
       const Vec3 far = Vec3::Constant(offset);
       expect_as_in_rationals(plus(times(on_grid(random, 3), 0.1), far),
-                             plus(times(on_grid(random, 3), 0.1), far), ++index, 1000);
+                             plus(times(on_grid(random, 3), 0.1), far), false, ++index, 1000);
     }
   }
 }

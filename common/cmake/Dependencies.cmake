@@ -10,6 +10,9 @@ message(STATUS "Catch2 ${Catch2_VERSION}")
 # Exact references and oracles of the tests.
 find_package(Boost 1.74 REQUIRED)
 
+# Reads OBJ meshes.
+find_path(TINYOBJ_INCLUDE_DIR tiny_obj_loader.h REQUIRED)
+
 # Timings of the charts and of the renderer.
 find_package(benchmark REQUIRED)
 find_package(Threads REQUIRED)

@@ -28,6 +28,7 @@ PACKAGES = (
     Package("catch2", "the tests"),
     Package("libboost-dev", "exact references of the tests"),
     Package("libbenchmark-dev", "timings of the charts"),
+    Package("libtinyobjloader-dev", "reads OBJ meshes"),
     Package("libstb-dev", "writes PNG pictures"),
     Package("libisal-dev", "packs PNG pictures"),
     Package("libgl-dev", "header of OpenGL"),

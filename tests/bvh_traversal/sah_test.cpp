@@ -1,10 +1,13 @@
 #include "common/meshes.hpp"
-#include "structure.hpp"
+#include "planes.hpp"
 
 using namespace lab::bvh_traversal;
 using tests::code;
+using tests::Item;
 using tests::Shape;
+using tests::Sides;
 using tests::Trial;
+using tests::Weight;
 
 namespace {
 
@@ -19,128 +22,25 @@ const std::string one_axis =
     "only the axis of the widest spread is tried: planes across all three "
     "axes compete";
 
-/// The triangles below a node, apart from how the tree keeps them.
-struct Item {
-  Box box;
-  Vec3 centroid;
-};
-
-Box joined(const Box& a, const Box& b) { return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)}; }
-
-std::vector<Item> items_below(const Bvh& bvh, const Shape& shape, std::size_t node) {
-  std::vector<Item> items;
-  std::vector<std::size_t> stack{node};
-  items.reserve(shape.below[node]);
-  while (!stack.empty()) {
-    const BvhNode& top = bvh.nodes[stack.back()];
-    stack.pop_back();
-    if (!tests::is_leaf(top)) {
-      stack.push_back(top.first);
-      stack.push_back(top.first + 1);
-      continue;
-    }
-    for (std::size_t i = top.first; i < top.first + top.count; ++i) {
-      const Triangle& t = bvh.corners[i];
-      items.push_back({tests::box_around(bvh.corners, i, 1), (t[0] + t[1] + t[2]) / 3.0});
-    }
-  }
-  return items;
-}
-
-double volume(const Box& box) { return (box.high - box.low).prod(); }
-
-enum class Weight { area_and_number, area, volume_and_number };
-
-double weight(const Box& box, double number, Weight kind) {
-  switch (kind) {
-    case Weight::area_and_number:
-      return tests::area(box) * number;
-    case Weight::area:
-      return tests::area(box);
-    case Weight::volume_and_number:
-      return volume(box) * number;
-  }
-  return 0.0;
-}
-
-/// The planes between bins across one axis: for each the two sides' boxes and numbers.
-struct Sides {
-  Box left, right;
-  double in_left = 0.0, in_right = 0.0;
-};
-
-std::vector<Sides> planes(const std::vector<Item>& items, Eigen::Index axis, int bins) {
-  double low = items.front().centroid[axis];
-  double high = low;
-  for (const Item& item : items) {
-    low = std::min(low, item.centroid[axis]);
-    high = std::max(high, item.centroid[axis]);
-  }
-  std::vector<Sides> found;
-  for (int k = 1; k < bins && high > low; ++k) {
-    const double plane = low + (high - low) * k / bins;
-    Sides sides;
-    bool clear = true;
-    for (const Item& item : items) {
-      const double distance = item.centroid[axis] - plane;
-      // A centroid on the plane to rounding may be counted on either side: such a plane is no
-      // judge.
-      clear = clear && std::abs(distance) > 1e-12 * (std::abs(low) + std::abs(high));
-      Box& side = distance < 0.0 ? sides.left : sides.right;
-      side = joined(side, item.box);
-      (distance < 0.0 ? sides.in_left : sides.in_right) += 1.0;
-    }
-    if (clear && sides.in_left > 0.0 && sides.in_right > 0.0) found.push_back(sides);
-  }
-  return found;
-}
-
-double cost(const Sides& s, Weight kind) {
-  return weight(s.left, s.in_left, kind) + weight(s.right, s.in_right, kind);
-}
-
-/// A N of the best plane by a mistaken weight, or across the widest axis alone.
-double cost_of_choice(const std::vector<std::vector<Sides>>& axes, Weight kind) {
-  double best = std::numeric_limits<double>::infinity();
-  double cost_of_best = best;
-  for (const std::vector<Sides>& axis : axes) {
-    for (const Sides& s : axis) {
-      if (cost(s, kind) >= best) continue;
-      best = cost(s, kind);
-      cost_of_best = cost(s, Weight::area_and_number);
-    }
-  }
-  return cost_of_best;
-}
-
-Eigen::Index widest_axis(const std::vector<Item>& items) {
-  std::vector<Vec3> centroids;
-  for (const Item& item : items) centroids.push_back(item.centroid);
-  const auto span = tests::span_of(centroids);
-  Eigen::Index axis = 0;
-  (span.second - span.first).maxCoeff(&axis);
-  return axis;
-}
-
 /// Requires that no plane is cheaper than the cut of a node.
 void expect_cut(const Trial& trial, const Bvh& bvh, const Shape& shape, std::size_t i, int bins) {
   const BvhNode& node = bvh.nodes[i];
-  const std::vector<Item> items = items_below(bvh, shape, i);
+  const std::vector<Item> items = tests::items_below(bvh, shape, i);
   std::vector<std::vector<Sides>> axes;
-  for (Eigen::Index axis = 0; axis < 3; ++axis) axes.push_back(planes(items, axis, bins));
-  const double best = cost_of_choice(axes, Weight::area_and_number);
+  for (Eigen::Index axis = 0; axis < 3; ++axis) axes.push_back(tests::planes(items, axis, bins));
+  const double best = tests::cost_of_choice(axes, Weight::area_and_number);
   if (std::isinf(best)) return;
   const Sides taken{bvh.nodes[node.first].box, bvh.nodes[node.first + 1].box,
                     static_cast<double>(shape.below[node.first]),
                     static_cast<double>(shape.below[node.first + 1])};
-  const double got = cost(taken, Weight::area_and_number);
+  const double got = tests::cost(taken, Weight::area_and_number);
   if (got <= best * (1.0 + 1e-12)) return;
   const auto is = [&](double other) { return std::abs(got - other) <= 1e-12 * got; };
   std::vector<std::string> fits;
-  if (is(cost_of_choice(axes, Weight::volume_and_number))) fits.push_back(by_volume);
-  if (is(cost_of_choice(axes, Weight::area))) fits.push_back(without_numbers);
-  if (is(cost_of_choice({axes[static_cast<std::size_t>(widest_axis(items))]},
-                        Weight::area_and_number))) {
+  if (is(tests::cost_of_choice(axes, Weight::volume_and_number))) fits.push_back(by_volume);
+  if (is(tests::cost_of_choice(axes, Weight::area))) fits.push_back(without_numbers);
+  if (is(tests::cost_of_choice({axes[static_cast<std::size_t>(tests::widest_axis(items))]},
+                               Weight::area_and_number))) {
     fits.push_back(one_axis);
   }
   if (std::abs(taken.in_left - taken.in_right) <= 1.0) fits.push_back(halved);

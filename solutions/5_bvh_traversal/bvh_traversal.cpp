@@ -234,15 +234,16 @@ bool one_side(const Signs& s) {
 Signs sides(const Triangle& plane, const Triangle& points) {
   const Vec3 e = plane[1] - plane[0];
   const Vec3 f = plane[2] - plane[0];
-  const Vec3 n = e.cross(f);
-  const double size = e.cwiseAbs().maxCoeff() * f.cwiseAbs().maxCoeff();
+  const Vec3 left(e.y() * f.z(), e.z() * f.x(), e.x() * f.y());
+  const Vec3 right(e.z() * f.y(), e.x() * f.z(), e.y() * f.x());
+  const Vec3 n = left - right;
+  const Vec3 size = left.cwiseAbs() + right.cwiseAbs();
   Signs signs{};
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3 d = points[i] - plane[0];
     const double distance = n.dot(d);
-    // A sum of six products of three differences: a dozen roundings of 2⁻⁵³, doubled.
-    const double reach = d.cwiseAbs().maxCoeff();
-    const double error = 2e-14 * size * reach + 1e-290 * (1.0 + reach);
+    // Each of the six products of three differences is rounded less than a dozen times by 2⁻⁵³.
+    const double error = 2e-15 * size.dot(d.cwiseAbs()) + 1e-240;
     signs[i] = distance > error    ? 1
                : distance < -error ? -1
                                    : orientation(plane[0], plane[1], plane[2], points[i]);
@@ -499,14 +500,15 @@ class MovedOverlap {
     margin_ = (1e-14 + 4.0 * skewness) * size;
   }
 
+  /// All lengths are doubled: so they need not be halved.
   bool operator()(const Box& a, const Box& b) const {
-    const Vec3 half_a = 0.5 * (a.high - a.low);
-    const Vec3 half_b = 0.5 * (b.high - b.low);
-    const Vec3 d = R_ * (0.5 * (b.low + b.high)) + t_ - 0.5 * (a.low + a.high);
-    const Vec3 gap_along_a = d.cwiseAbs() - half_a - R_size_ * half_b;
+    const Vec3 sides_a = a.high - a.low;
+    const Vec3 sides_b = b.high - b.low;
+    const Vec3 d = R_ * (b.low + b.high) + (2.0 * t_ - (a.low + a.high));
+    const Vec3 gap_along_a = d.cwiseAbs() - (sides_a + R_size_ * sides_b);
     if (!(gap_along_a.maxCoeff() <= margin_)) return false;
     const Vec3 gap_along_b =
-        (R_.transpose() * d).cwiseAbs() - half_b - R_size_.transpose() * half_a;
+        (R_.transpose() * d).cwiseAbs() - (sides_b + R_size_.transpose() * sides_a);
     return gap_along_b.maxCoeff() <= margin_;
   }
 

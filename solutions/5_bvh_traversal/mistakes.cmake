@@ -157,9 +157,9 @@ add_mutant(${lab} planes_are_enough 5.5
 
 # Doubles are believed.
 add_mutant(${lab} sides_by_rounding 5.5
-  "const double error = 2e-14 * size * reach + 1e-290 * (1.0 + reach);"
+  "const double error = 2e-15 * size.dot(d.cwiseAbs()) + 1e-240;"
   "if (distance == 0.0) continue;
-    const double error = 0.0 * size * reach;" "decided by rounding")
+    const double error = 0.0 * size.x();" "decided by rounding")
 
 # A segment is believed to be no triangle.
 add_mutant(${lab} segments_dropped 5.5

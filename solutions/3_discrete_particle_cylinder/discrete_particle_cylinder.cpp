@@ -47,7 +47,7 @@ EdgePoint nearest_on_edge(const Vec3& a, const Vec3& b) {
   return {distance_from_axis(a + fraction * edge), fraction};
 }
 
-/// a b − c d to 2 ulp, its sign for certain: the first product's rounding is taken back (Kahan).
+/// a b − c d to 2 ulp, so its sign for certain: the rounding of c d is taken back (Kahan).
 double difference_of_products(double a, double b, double c, double d) {
   const double cd = c * d;
   return std::fma(a, b, -cd) + std::fma(-c, d, cd);

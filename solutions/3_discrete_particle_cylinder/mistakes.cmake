@@ -125,7 +125,8 @@ add_mutant(${lab} batch_from_one 3.3
 add_mutant(${lab} batch_with_tolerance 3.3
   "if (std::abs(excess) > unsure) return excess < 0.0;
     return distance_from_axis(position) <= rho;"
-  "return distance_from_axis(position) <= rho + 1e-9;" "tolerance is added")
+  "if (excess < -unsure) return true;
+    return distance_from_axis(position) <= rho + 1e-9;" "tolerance is added")
 
 # A list is believed to grow for free.
 add_mutant(${lab} batch_grows 3.3 "  indices.reserve(
@@ -178,7 +179,7 @@ add_mutant(${lab} edge_not_clamped 3.5
 
 # The nearest point is believed to be halfway.
 add_mutant(${lab} edge_by_middle 3.5
-  "std::clamp(along / length, 0.0, 1.0)" "(along < 0.0 ? 0.0 : 0.5)" "")
+  "std::clamp(along / length, 0.0, 1.0)" "(along < 0.0 ? 0.5 : 0.5)" "middle is taken")
 
 # A length of zero is divided by.
 add_mutant(${lab} edge_along_x_divided_by_zero 3.5
@@ -196,8 +197,7 @@ add_mutant(${lab} edge_without_particle_radius 3.5
 
 # What the axis pierces is believed to show at the edges.
 add_mutant(${lab} triangle_by_edges 3.5
-  "if (const auto weights = weights_of_axis(a, b, c)) return {0.0, *weights};" ""
-  "only the edges")
+  "areas.minCoeff() >= 0.0 || areas.maxCoeff() <= 0.0" "false" "only the edges")
 
 # Corners are believed to go round one way only.
 add_mutant(${lab} triangle_of_one_winding 3.5
@@ -215,7 +215,8 @@ add_mutant(${lab} triangle_weights_shifted 3.5
 
 # Corners without area are taken for pierced: 0/0.
 add_mutant(${lab} triangle_without_area_pierced 3.5
-  "if (!pierced || total == 0.0)" "if (!pierced)" "")
+  "if (!pierced || total == 0.0)" "if (!pierced)"
+  "areas of the size of rounding")
 
 # ---- 3.6 ----
 

@@ -33,7 +33,7 @@ Meeting of_size(double size) {
   Meeting m;
   m.position = Vec3(0.75 * size, -3.0 * size, 4.0 * size);
   m.particle_radius = 0.5 * size;
-  m.cylinder.radius = 2.0 * size;
+  m.cylinder.radius = size;
   return m;
 }
 

@@ -26,6 +26,7 @@ inline const std::string reversed_gap = "the sign is reversed: a gap is above ze
 inline const std::string underflow = "the squares vanish: 1e-200 squared is 0, std::hypot is not";
 inline const std::string touching = "touching counts: a gap of zero is a contact";
 inline const std::string tolerance = "a tolerance is added: a gap above zero is no contact";
+inline const std::string no_time = "the time is not passed on";
 inline const std::string unchecked = "this argument is not checked: see common/require.hpp";
 
 }  // namespace story
@@ -185,7 +186,7 @@ inline void expect_contact(const Trial& trial, const std::optional<ParticleConta
                              suspects_of_gap(m));
   trial.of("the time")
       .expect(got->time, m.time, {2.0 * eps * std::abs(m.time), "it is passed on, or k T/N"},
-              {{0.0, "the time is not passed on"}});
+              {{0.0, story::no_time}});
 }
 
 /// Requires std::invalid_argument for each radius that none can be.

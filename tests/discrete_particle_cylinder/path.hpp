@@ -92,7 +92,8 @@ inline std::vector<Suspect<FoundTime>> suspects_of_time(const Flight& f) {
           {first_in(f, times(T, N, 1, N)), "the start is a sample too: k = 0"},
           {first_in(f, times(T, N, 0, N - 1)), "the end is a sample too: k = N"},
           {first_in(f, times(1.0, N, 0, N)), "the samples end at 1 s, not at the duration"},
-          {touching_missed, story::touching}};
+          {touching_missed, story::touching},
+          {FoundTime{0.0}, story::no_time}};
 }
 
 /// A straight way across the cylinder, b beside the axis: in contact along a chord c.

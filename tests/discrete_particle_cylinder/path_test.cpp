@@ -71,7 +71,7 @@ TEST_CASE("The start is a sample", "[3.4]") {
 TEST_CASE("The end is a sample", "[3.4]") {
   for (const int samples : {1, 2, 7, 49}) {
     Flight f;  // inside at the end alone
-    f.path = {Vec3(0.0, 0.5, 60.25), Vec3(1.0, 0.0, -20.0), 3.0};
+    f.path = {Vec3(0.0, 0.5, 60.25), Vec3(1.0, 0.0, -60.0), 1.0};
     f.samples = samples;
     f.particle_radius = 0.25;
     f.cylinder.radius = 0.5;

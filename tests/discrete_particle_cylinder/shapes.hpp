@@ -12,7 +12,10 @@ namespace tests {
 
 namespace story {
 inline const std::string ends_only =
-    "only the ends are looked at: what is between them may be nearer";
+    "only the ends and corners are looked at: what is between them may be nearer";
+inline const std::string line =
+    "the foot is not held on the edge: beyond the ends nothing is left of the line";
+inline const std::string middle = "the middle is taken for the nearest point";
 inline const std::string edges_only =
     "only the edges are looked at: the axis may go through between them";
 inline const std::string passes_through =
@@ -66,9 +69,8 @@ inline std::vector<Suspect<double>> suspects_of_edge(const Edge& e) {
   const Exact least = edge_distance(a, b);
   const auto foot = foot_on_line(a, b);
   return {{e.gap_of(std::min(distance(a), distance(b))), story::ends_only},
-          {e.gap_of(foot ? distance_at(a, b, *foot) : least),
-           "the foot is not held on the edge: beyond the ends nothing is left of the line"},
-          {e.gap_of(distance_at(a, b, Exact(0.5))), "the middle is taken for the nearest point"},
+          {e.gap_of(foot ? distance_at(a, b, *foot) : least), story::line},
+          {e.gap_of(distance_at(a, b, Exact(0.5))), story::middle},
           {rounded(least - e.cylinder.radius), story::no_r},
           {rounded(least), story::no_radii},
           {e.gap_of(distance_in_space(a, b)), story::keeps_x},
@@ -94,11 +96,17 @@ inline void expect_edge(const Edge& e, int index = 1, int count = 1) {
 inline std::vector<Suspect<double>> suspects_of_triangle(const Triangle& t) {
   const auto& [a, b, c] = t.p;
   const Exact least = triangle_distance(t.p);
+  const auto line = [](const Vec3& p, const Vec3& q) {
+    const auto foot = foot_on_line(p, q);
+    return foot ? distance_at(p, q, *foot) : distance(p);
+  };
+  const Exact lines = pierced(t.p) ? Exact(0) : std::min({line(a, b), line(b, c), line(c, a)});
+  const auto middle = [](const Vec3& p, const Vec3& q) { return distance_at(p, q, Exact(0.5)); };
   return {{t.gap_of(edges_distance(t.p)), story::edges_only},
-          {t.gap_of(std::min({distance(a), distance(b), distance(c)})),
-           "only the corners are looked at: what is between them may be nearer"},
-          {t.gap_of(distance_at(t.p, Vec3::Constant(1.0 / 3.0))),
-           "the centre is taken for the nearest point"},
+          {t.gap_of(std::min({distance(a), distance(b), distance(c)})), story::ends_only},
+          {t.gap_of(distance_at(t.p, Vec3::Constant(1.0 / 3.0))), story::middle},
+          {t.gap_of(std::min({middle(a, b), middle(b, c), middle(c, a)})), story::middle},
+          {t.gap_of(lines), story::line},
           {-t.radii(), story::passes_through},
           {rounded(least - t.cylinder.radius), story::no_r},
           {rounded(least), story::no_radii},

@@ -85,8 +85,7 @@ inline void expect_sheet(const Sheet& sheet, const Cylinder& cylinder, int index
   trial.of("the triangles")
       .expect(IndexList{got.triangles}, IndexList{within(sum, triangles, triangle)}, exactly,
               {{IndexList{within(sum, triangles, sides)}, story::edges_only},
-               {IndexList{within(sum, triangles, corners)},
-                "only the corners of triangles are looked at"},
+               {IndexList{within(sum, triangles, corners)}, story::ends_only},
                {IndexList{within(R, triangles, triangle)}, story::no_r}});
 }
 

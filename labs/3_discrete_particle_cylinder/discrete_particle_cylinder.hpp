@@ -79,6 +79,7 @@ struct TriangleGap {
 /// (5)
 ///
 /// Several places may be equally near (an edge along x): any of them. a = b is a particle.
+/// accuracy  a few ulp of the ends' distances from the axis and of ρ, for lengths as in gap
 EdgeGap edge_gap(const Vec3& a, const Vec3& b, double particle_radius, const Cylinder& cylinder);
 
 /// The least gap over the triangle: in the yz-plane, the distance of a triangle from the origin,
@@ -87,6 +88,7 @@ EdgeGap edge_gap(const Vec3& a, const Vec3& b, double particle_radius, const Cyl
 ///
 /// Several places may be equally near: any of them. A triangle that the yz-plane shows as a segment
 /// or a point is its edges.
+/// accuracy  as in edge_gap; where the axis goes through, the weights of a sliver may be less sure
 TriangleGap triangle_gap(const Vec3& a, const Vec3& b, const Vec3& c, double particle_radius,
                          const Cylinder& cylinder);
 

@@ -1,0 +1,221 @@
+// Is it enough to check the particles of a cloth? Two equal sheets fall on the cylinder: the left
+// one's particles are kept out, the right one's triangles. Beside them fast particles are shot
+// across, and looked at a few times only.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "common/not_implemented.hpp"
+#include "falling_sheet.hpp"
+#include "render/film.hpp"
+
+using namespace lab::discrete_particle_cylinder;
+using common::Mat3;
+namespace palette = render::palette;
+
+namespace {
+
+constexpr double duration = 3.2;
+constexpr double frame_time = 0.02;
+constexpr int frames = 160;
+constexpr Cylinder cylinder{0.35};
+constexpr double ground_height = -0.95;
+
+constexpr int rows = 9;
+constexpr int columns = 5;
+constexpr double spacing = 0.3;
+
+/// What a sheet is at a moment.
+struct Moment {
+  Sheet sheet;
+  std::vector<std::size_t> sunk;  ///< edges that reach into the cylinder
+};
+
+/// A sheet through the whole film.
+struct Fall {
+  const char* name;
+  double x;
+  std::vector<Moment> moments;
+};
+
+std::optional<Fall> fallen(Fall fall, const PushOut& push_out, std::vector<std::string>& missing) {
+  constexpr int steps_a_frame = 8;
+  try {
+    FallingSheet falling(rows, columns, spacing, {fall.x, 0.0, 0.75}, 0.2);
+    for (int frame = 0; frame <= frames; ++frame) {
+      fall.moments.push_back({falling.sheet, sheet_contacts(falling.sheet, cylinder).edges});
+      for (int i = 0; i < steps_a_frame; ++i) {
+        falling.step(frame_time / steps_a_frame, cylinder, push_out);
+      }
+    }
+    return fall;
+  } catch (const common::NotImplemented& error) {
+    missing.push_back(error.step_and_function());
+    return std::nullopt;
+  }
+}
+
+/// A particle that is shot across the cylinder, and the sample that finds it.
+struct Shot {
+  double launch;  ///< [s]
+  StraightPath path;
+  std::optional<ParticleContact> contact;
+};
+
+constexpr int shot_count = 6;
+constexpr int samples = 3;
+constexpr double flight = 0.9;  // [s]
+constexpr double shot_radius = 0.07;
+constexpr double reach = cylinder.radius + shot_radius;
+constexpr double height = 0.8 * reach;  // above the axis: the chord is then 1.2 reach
+constexpr double chord = 1.2 * reach;
+constexpr double sample_distance = 1.5 * chord;
+
+/// One lane beside the other, their starts spread evenly over the distance of two samples.
+std::optional<std::vector<Shot>> shots(std::vector<std::string>& missing) {
+  try {
+    std::vector<Shot> all;
+    for (int i = 0; i < shot_count; ++i) {
+      const double phase = (i + 0.5) / shot_count;
+      const StraightPath path{{1.02 + 0.2 * i, -1.3 + phase * sample_distance, height},
+                              {0.0, samples * sample_distance / flight, 0.0},
+                              flight};
+      all.push_back(
+          {0.1 + 0.4 * i, path, first_sampled_contact(path, samples, shot_radius, cylinder)});
+    }
+    return all;
+  } catch (const common::NotImplemented& error) {
+    missing.push_back(error.step_and_function());
+    return std::nullopt;
+  }
+}
+
+void add_cylinder(render::Scene& scene) {
+  Mat3 along_x;
+  along_x << 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0;
+  scene.cylinders.push_back(
+      {{{-0.15, 0.0, 0.0}, along_x}, cylinder.radius, 2.45, {palette::grey, palette::grey, 0.55F}});
+}
+
+/// As thick as the cloth is.
+void add_rod(render::Scene& scene, const Vec3& a, const Vec3& b, double radius,
+             const render::Colour& colour) {
+  const Mat3 along = common::Quat::FromTwoVectors(Vec3::UnitZ(), b - a).toRotationMatrix();
+  scene.capsules.push_back(
+      {{0.5 * (a + b), along}, radius, 0.5 * (b - a).norm(), {colour, colour}});
+}
+
+/// A sunk edge is hidden by the cylinder, so the surface above it is marked.
+void add_mark_above(render::Scene& scene, const Vec3& a, const Vec3& b) {
+  constexpr int pieces = 24;
+  render::Trail mark{{}, palette::vermilion, 6.0};
+  for (int i = -pieces; i <= pieces; ++i) {  // to and fro: the fading start lies under the end
+    Vec3 point = a + std::abs(i) / static_cast<double>(pieces) * (b - a);
+    const double distance = std::hypot(point.y(), point.z());
+    const double lifted = 1.02 * cylinder.radius;
+    if (distance < lifted) point.tail<2>() *= lifted / distance;
+    mark.points.push_back(point);
+  }
+  scene.trails.push_back(mark);
+}
+
+void add_sheet(render::Scene& scene, const Fall& fall, std::size_t frame) {
+  const auto& [sheet, sunk] = fall.moments[frame];
+  scene.cloths.push_back({rows, columns, sheet.positions, {palette::sky, palette::blue}});
+  for (std::size_t i = 0; i < sheet.edges.size(); ++i) {
+    const Vec3& a = sheet.positions[sheet.edges[i][0]];
+    const Vec3& b = sheet.positions[sheet.edges[i][1]];
+    const bool is_sunk = std::binary_search(sunk.begin(), sunk.end(), i);
+    add_rod(scene, a, b, sheet.particle_radius, is_sunk ? palette::vermilion : palette::blue);
+    if (is_sunk) add_mark_above(scene, a, b);
+  }
+  scene.labels.push_back({{fall.x - 0.45, -1.15, ground_height}, fall.name, palette::ink, 22.0});
+}
+
+render::Colour colour_of(const Shot& shot, double time, const Vec3& position) {
+  if (shot.contact && time >= shot.contact->time) return palette::green;
+  return !shot.contact && position.y() > 0.5 * chord ? palette::vermilion : palette::orange;
+}
+
+void add_shot(render::Scene& scene, const Shot& shot, double film_time) {
+  const double end = shot.contact ? shot.contact->time : flight;
+  const double time = std::clamp(film_time - shot.launch, 0.0, end);
+  const auto at = [&](double t) -> Vec3 { return shot.path.position + t * shot.path.velocity; };
+  const Vec3 now = at(time);
+  const render::Colour colour = colour_of(shot, time, now);
+  for (int k = 0; k <= samples && k * flight / samples < time; ++k) {
+    scene.spheres.push_back(
+        {{at(k * flight / samples), Mat3::Identity()}, shot_radius, {colour, colour, 0.6F}});
+  }
+  scene.spheres.push_back({{now, Mat3::Identity()}, shot_radius, {colour, colour}});
+  if (time > 0.0) scene.trails.push_back({{at(0.0), 0.5 * (at(0.0) + now), now}, colour, 3.0});
+  if (shot.contact && time >= end) {
+    scene.contacts.push_back(
+        {shot.contact->point_on_cylinder, shot.contact->normal, 0.3, palette::green});
+  }
+}
+
+/// The foot of the strip: what sinks at the end, and what tunnels.
+std::string measured(const std::vector<Fall>& falls,
+                     const std::optional<std::vector<Shot>>& all_shots) {
+  std::string text;
+  char line[160];
+  const auto add = [&] { text += (text.empty() ? "" : ";  ") + std::string(line); };
+  for (const Fall& fall : falls) {
+    const auto& [sheet, sunk] = fall.moments.back();
+    double deepest = 0.0;
+    for (const std::size_t i : sunk) {
+      const auto [a, b] = sheet.edges[i];
+      const EdgeGap least =
+          edge_gap(sheet.positions[a], sheet.positions[b], sheet.particle_radius, cylinder);
+      deepest = std::max(deepest, -least.gap);
+    }
+    std::snprintf(line, sizeof line, "%s: %zu edges sunk, up to %.1f cm", fall.name, sunk.size(),
+                  100.0 * deepest);
+    add();
+  }
+  if (all_shots) {
+    const auto missed = std::count_if(all_shots->begin(), all_shots->end(),
+                                      [](const Shot& shot) { return !shot.contact; });
+    std::snprintf(line, sizeof line, "%td of %d shots missed, 1 − c/s = 1/3", missed, shot_count);
+    add();
+  }
+  return text;
+}
+
+render::Film make_film() {
+  render::Film film;
+  film.title = "A cloth on a cylinder, and fast particles";
+  film.subtitle = "with no particle inside, edges are (red); a third of the shots tunnels";
+  film.parameters =
+      "R = 35 cm, cloth 2 cm thick, cells of 30 cm; 3 samples a flight, 1.5 chords apart";
+  film.duration = duration;
+  film.strip_times = {0.0, 0.4, 1.4, 3.2};
+  film.bounds = {{-2.6, -1.1, ground_height}, {2.3, 1.0, 0.75}};
+  film.towards_eye = {0.35, -2.2, 1.0};
+
+  std::vector<Fall> falls;
+  const auto keep = [&](const std::optional<Fall>& fall) {
+    if (fall) falls.push_back(*fall);
+  };
+  keep(fallen({"particles kept out", -1.75, {}}, push_particles_out, film.missing));
+  keep(fallen({"triangles kept out", 0.0, {}}, push_triangles_out, film.missing));
+  const std::optional<std::vector<Shot>> all_shots = shots(film.missing);
+  if (falls.empty() && !all_shots) return film;  // nothing to show: film_main says what is missing
+  film.measured = measured(falls, all_shots);
+  film.scene_at = [=](double time) {
+    const auto frame = static_cast<std::size_t>(std::lround(time / frame_time));
+    render::Scene scene;
+    scene.ground_height = ground_height;
+    add_cylinder(scene);
+    for (const Fall& fall : falls) add_sheet(scene, fall, frame);
+    if (!all_shots) return scene;
+    for (const Shot& shot : *all_shots) add_shot(scene, shot, time);
+    return scene;
+  };
+  return film;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { return render::film_main(argc, argv, make_film); }

@@ -1,0 +1,260 @@
+// Bullets and a cylinder that is cut open in the plane of their flight: looked at three times only,
+// and stopped at their times of impact. Beside them an edge whose ends pass by on both sides.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "common/not_implemented.hpp"
+#include "continuous_particle_cylinder.hpp"
+#include "render/film.hpp"
+
+using namespace lab::continuous_particle_cylinder;
+using common::Mat3;
+namespace palette = render::palette;
+
+namespace {
+
+constexpr double flight = 2.2;  // dt [s]
+constexpr int samples = 2;
+constexpr double speed = 1.0;      // [m/s]
+constexpr Cylinder cylinder{0.5};  // with the bullets' radius an exact sum, so that one grazes
+constexpr double bullet_radius = 1.0 / 16.0;
+constexpr double reach = cylinder.radius + bullet_radius;
+constexpr double ground_height = -1.35;
+
+/// How far from the axis a bullet passes, in reaches, and where it starts.
+struct Lane {
+  double offset;
+  double height;  ///< [m]
+};
+constexpr std::array<Lane, 7> lanes{{{-1.0, 1.3},
+                                     {-2.0 / 3.0, 1.6},
+                                     {-1.0 / 3.0, 1.0},
+                                     {0.0, 1.35},
+                                     {1.0 / 3.0, 1.645},
+                                     {2.0 / 3.0, 1.3},
+                                     {1.25, 1.5}}};
+
+MovingParticle bullet(const Lane& lane) {
+  return {{0.0, lane.offset * reach, lane.height}, {0.0, 0.0, -speed}, bullet_radius};
+}
+
+Vec3 position_at(const MovingParticle& particle, double time) {
+  return particle.position + time * particle.velocity;
+}
+
+/// A bullet as one way of looking sees it.
+struct Shot {
+  MovingParticle particle;
+  std::optional<ParticleContact> contact;
+};
+
+/// One way of looking, and where its cylinder stands in the picture.
+struct Group {
+  const char* name;
+  double shift;
+  bool has_samples;
+  std::vector<Shot> shots;
+};
+
+std::optional<double> first_sampled_time(const MovingParticle& particle) {
+  for (int k = 0; k <= samples; ++k) {
+    const double time = k * flight / samples;
+    const Vec3 position = position_at(particle, time);
+    if (std::hypot(position.y(), position.z()) <= reach) return time;
+  }
+  return std::nullopt;
+}
+
+std::optional<double> exact_time(const MovingParticle& particle) {
+  return time_of_impact(particle, cylinder, flight);
+}
+
+template <typename Look>
+std::optional<Group> watched(Group group, const Look& look, std::vector<std::string>& missing) {
+  try {
+    for (const Lane& lane : lanes) {
+      Shot shot{bullet(lane), std::nullopt};
+      const std::optional<double> time = look(shot.particle);
+      if (time) shot.contact = contact_at(shot.particle, cylinder, *time);
+      group.shots.push_back(shot);
+    }
+    return group;
+  } catch (const common::NotImplemented& error) {
+    missing.push_back(error.step_and_function());
+    return std::nullopt;
+  }
+}
+
+constexpr double edge_shift = 2.15;
+
+MovingEdge falling_edge() {
+  return {{0.0, -0.75, 1.55}, {0.0, 0.75, 1.1}, {0.0, 0.0, -1.1}, {0.0, 0.0, -0.8}, bullet_radius};
+}
+
+/// The edge's impact, at the place of it that is nearest to the axis, and what its ends see.
+struct EdgeImpact {
+  std::optional<ParticleContact> contact;
+  bool has_end_contact = false;
+};
+
+std::optional<EdgeImpact> edge_impact(std::vector<std::string>& missing) {
+  const MovingEdge edge = falling_edge();
+  try {
+    EdgeImpact impact;
+    for (const MovingParticle& end : {MovingParticle{edge.a, edge.velocity_a, edge.radius},
+                                      MovingParticle{edge.b, edge.velocity_b, edge.radius}}) {
+      impact.has_end_contact = impact.has_end_contact || exact_time(end).has_value();
+    }
+    const std::optional<double> time = time_of_impact_of_edge(edge, cylinder, flight);
+    if (!time) return impact;
+    const Vec3 a = edge.a + *time * edge.velocity_a;
+    const Vec3 span = edge.b + *time * edge.velocity_b - a;
+    const double s = std::clamp(-a.dot(span) / span.squaredNorm(), 0.0, 1.0);
+    const MovingParticle nearest{edge.a + s * (edge.b - edge.a),
+                                 edge.velocity_a + s * (edge.velocity_b - edge.velocity_a),
+                                 edge.radius};
+    impact.contact = contact_at(nearest, cylinder, *time);
+    return impact;
+  } catch (const common::NotImplemented& error) {
+    missing.push_back(error.step_and_function());
+    return std::nullopt;
+  }
+}
+
+/// Open at x = 0, where everything flies.
+void add_cylinder(render::Scene& scene, const char* name, double shift) {
+  constexpr double half_length = 0.45;
+  Mat3 along_x;
+  along_x << 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0;
+  scene.cylinders.push_back({{{-half_length, shift, 0.0}, along_x},
+                             cylinder.radius,
+                             half_length,
+                             {palette::grey, palette::sky, 0.55F}});
+  scene.labels.push_back({{0.5, shift - 0.35, ground_height}, name, palette::ink, 22.0});
+}
+
+void add_ball(render::Scene& scene, const Vec3& place, const render::Colour& colour,
+              float paleness) {
+  scene.spheres.push_back({{place, Mat3::Identity()}, bullet_radius, {colour, colour, paleness}});
+}
+
+void add_mark(render::Scene& scene, const ParticleContact& contact, const Vec3& shift) {
+  scene.contacts.push_back(
+      {contact.point_on_cylinder + shift, contact.normal, 0.28, palette::green});
+}
+
+bool does_hit(const MovingParticle& particle) { return std::abs(particle.position.y()) <= reach; }
+
+render::Colour colour_of(const Shot& shot, double time) {
+  if (!does_hit(shot.particle)) return palette::grey;
+  if (shot.contact && time >= shot.contact->time) return palette::green;
+  const bool is_through = position_at(shot.particle, time).z() < 0.0;
+  return !shot.contact && is_through ? palette::vermilion : palette::orange;
+}
+
+void add_shot(render::Scene& scene, const Group& group, const Shot& shot, double film_time) {
+  const double end = shot.contact ? shot.contact->time : flight;
+  const double time = std::min(film_time, end);
+  const Vec3 shift(0.0, group.shift, 0.0);
+  const Vec3 start = shot.particle.position + shift;
+  const Vec3 now = position_at(shot.particle, time) + shift;
+  const render::Colour colour = colour_of(shot, time);
+  for (int k = 0; k <= samples && k * flight / samples < time; ++k) {
+    if (k > 0 && !group.has_samples) break;
+    add_ball(scene, position_at(shot.particle, k * flight / samples) + shift, colour, 0.6F);
+  }
+  add_ball(scene, now, colour, 0.0F);
+  if (time > 0.0) scene.trails.push_back({{start, 0.5 * (start + now), now}, colour, 3.0});
+  if (shot.contact && film_time >= end) add_mark(scene, *shot.contact, shift);
+}
+
+void add_edge(render::Scene& scene, double time, const render::Colour& colour, float paleness) {
+  const MovingEdge edge = falling_edge();
+  const Vec3 shift(0.0, edge_shift, 0.0);
+  const Vec3 a = edge.a + time * edge.velocity_a + shift;
+  const Vec3 b = edge.b + time * edge.velocity_b + shift;
+  const Mat3 along = common::Quat::FromTwoVectors(Vec3::UnitZ(), b - a).toRotationMatrix();
+  scene.capsules.push_back(
+      {{0.5 * (a + b), along}, edge.radius, 0.5 * (b - a).norm(), {colour, colour, paleness}});
+  if (!(time > 0.0)) return;
+  for (const auto& [start, now] : {std::pair{edge.a, a}, std::pair{edge.b, b}}) {
+    const Vec3 from = start + shift;
+    scene.trails.push_back({{from, 0.5 * (from + now), now}, colour, 3.0});
+  }
+}
+
+/// Stopped at its impact; and as those see it who look at the ends alone.
+void add_edges(render::Scene& scene, const EdgeImpact& impact, double film_time) {
+  add_cylinder(scene, "an edge", edge_shift);
+  const double time = std::min(film_time, flight);
+  const double stop = impact.contact ? std::min(time, impact.contact->time) : time;
+  if (stop < time && !impact.has_end_contact) add_edge(scene, time, palette::vermilion, 0.0F);
+  add_edge(scene, 0.0, palette::grey, 0.6F);
+  add_edge(scene, stop, stop < time ? palette::green : palette::orange, 0.0F);
+  if (stop < time) add_mark(scene, *impact.contact, {0.0, edge_shift, 0.0});
+}
+
+/// The foot of the strip.
+std::string measured(const std::vector<Group>& groups, const std::optional<EdgeImpact>& edge) {
+  std::string text;
+  char line[160];
+  const auto add = [&] { text += (text.empty() ? "" : ";  ") + std::string(line); };
+  for (const Group& group : groups) {
+    const auto hits = std::count_if(lanes.begin(), lanes.end(),
+                                    [](const Lane& lane) { return does_hit(bullet(lane)); });
+    std::ptrdiff_t found = 0;
+    double deepest = 0.0;
+    for (const Shot& shot : group.shots) {
+      if (!shot.contact) continue;
+      ++found;
+      deepest = std::max(deepest, std::abs(shot.contact->gap));
+    }
+    std::snprintf(line, sizeof line, "%s: %td of %td found, gap to %.1g m", group.name, found, hits,
+                  deepest);
+    add();
+  }
+  if (edge && edge->contact) {
+    std::snprintf(line, sizeof line, "edge: %.3f s, its ends: %s", edge->contact->time,
+                  edge->has_end_contact ? "a hit" : "never");
+    add();
+  }
+  return text;
+}
+
+render::Film make_film() {
+  render::Film film;
+  film.title = "Bullets at a cylinder";
+  film.subtitle = "samples miss (red) or come late, once on the wrong side; t* is on the surface";
+  film.parameters = "R = 0.5 m, r = 1/16 m, 1 m/s, a sample each 1.1 s";
+  film.duration = 2.4;
+  film.strip_times = {0.3, 0.8, 1.3, 2.3};
+  film.bounds = {{-0.9, -2.75, ground_height}, {0.1, 2.95, 1.7}};
+  film.towards_eye = {2.2, 0.0, 0.45};
+
+  std::vector<Group> groups;
+  const auto keep = [&](const std::optional<Group>& group) {
+    if (group) groups.push_back(*group);
+  };
+  keep(watched({"samples", -2.0, true, {}}, first_sampled_time, film.missing));
+  keep(watched({"time of impact", 0.0, false, {}}, exact_time, film.missing));
+  const std::optional<EdgeImpact> edge = edge_impact(film.missing);
+  if (groups.empty() && !edge) return film;  // nothing to show: film_main says what is missing
+  film.measured = measured(groups, edge);
+  film.scene_at = [=](double time) {
+    render::Scene scene;
+    scene.ground_height = ground_height;
+    for (const Group& group : groups) {
+      add_cylinder(scene, group.name, group.shift);
+      for (const Shot& shot : group.shots) add_shot(scene, group, shot, time);
+    }
+    if (edge) add_edges(scene, *edge, time);
+    return scene;
+  };
+  return film;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { return render::film_main(argc, argv, make_film); }

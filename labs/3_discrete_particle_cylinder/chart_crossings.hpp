@@ -28,6 +28,7 @@ inline std::vector<Crossing> crossings(double diameters) {
   constexpr int strata_an_octave = 16;
   constexpr int octaves = 13;
   constexpr int phases = 64;
+  constexpr double golden = 0.6180339887498949;  // spreads phases evenly at every sample distance
   const double step = 2.0 * reach * diameters;
   std::vector<Crossing> all;
   double high = 1.0;
@@ -39,7 +40,8 @@ inline std::vector<Crossing> crossings(double diameters) {
     const double share =
         (high - low) * (high + low) / (std::sqrt(1.0 - low * low) + std::sqrt(1.0 - high * high));
     for (int phase = 0; phase < phases; ++phase) {
-      const double start = -step * (0.5 + (phase + 0.5) / phases);
+      const double turns = golden * static_cast<double>(all.size());
+      const double start = -step * (0.5 + turns - std::floor(turns));
       const StraightPath path{{0.0, start, b * reach}, {0.0, step, 0.0}, steps_a_path};
       all.push_back({path, (-u * reach - start) / step, share / phases});
     }

@@ -53,7 +53,7 @@ struct FallingSheet {
   /// Level, about `center`, turned about the vertical by `angle` [rad].
   FallingSheet(int row_count, int column_count, double spacing, const Vec3& center, double angle)
       : rows(row_count), columns(column_count) {
-    const Mat3 turn = Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
+    const common::Mat3 turn = Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
     for (int row = 0; row < rows; ++row) {
       for (int column = 0; column < columns; ++column) {
         const Vec3 place(column - 0.5 * (columns - 1), row - 0.5 * (rows - 1), 0.0);
@@ -70,20 +70,26 @@ struct FallingSheet {
   /// Weight and air, then the edges' lengths and the contacts in turn, until both about hold.
   void step(double dt, const Cylinder& cylinder, const PushOut& push_out) {
     constexpr double drag = 1.5;  // [1/s]
-    constexpr int turns = 15;
+    constexpr int turns = 10;
     const std::vector<Vec3> before = sheet.positions;
     for (std::size_t i = 0; i < before.size(); ++i) {
       velocities[i] += dt * (Vec3(0.0, 0.0, -9.81) - drag * velocities[i]);
       sheet.positions[i] += dt * velocities[i];
     }
+    std::vector<bool> is_touched(before.size(), false);
     for (int turn = 0; turn < turns; ++turn) {
       restore_lengths();
+      const std::vector<Vec3> unpushed = sheet.positions;
       push_out(sheet, cylinder);
+      for (std::size_t i = 0; i < before.size(); ++i) {
+        is_touched[i] = is_touched[i] || sheet.positions[i] != unpushed[i];
+      }
     }
+    constexpr double slip =
+        0.3;  // what friction leaves of a velocity, as far as a picture needs it
     for (std::size_t i = 0; i < before.size(); ++i) {
-      velocities[i] = (sheet.positions[i] - before[i]) / dt;
+      velocities[i] = (is_touched[i] ? slip : 1.0) / dt * (sheet.positions[i] - before[i]);
     }
-    rub(cylinder);
   }
 
  private:
@@ -110,14 +116,6 @@ struct FallingSheet {
       const Vec3 half = 0.5 * (1.0 - rest_lengths_[i] / span.norm()) * span;
       sheet.positions[a] += half;
       sheet.positions[b] -= half;
-    }
-  }
-  /// Friction, as far as a picture needs it: what lies on the cylinder slows down.
-  void rub(const Cylinder& cylinder) {
-    constexpr double near = 0.01;  // [m]
-    for (std::size_t i = 0; i < velocities.size(); ++i) {
-      const double separation = gap(sheet.positions[i], sheet.particle_radius, cylinder);
-      if (separation < near) velocities[i] *= 0.8;
     }
   }
 

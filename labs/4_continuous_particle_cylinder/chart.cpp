@@ -85,8 +85,15 @@ std::vector<double> powers(double first, double factor, int count) {
   return ladder;
 }
 
+/// The ladders of the methods that have one.
+struct Ladders {
+  std::vector<double> samples;
+  std::vector<double> samples_bisected;
+  std::vector<double> tolerances;
+};
+
 std::vector<render::Method> particle_methods(double least_distance, double distance,
-                                             int tolerances) {
+                                             const Ladders& ladders) {
   const auto cases = std::make_shared<const std::vector<Case<MovingParticle>>>(
       particles(least_distance, distance));
   const auto single = [](const auto& function) {
@@ -94,12 +101,10 @@ std::vector<render::Method> particle_methods(double least_distance, double dista
       return Found{function(particle, cylinder, dt), 1.0};
     };
   };
-  const std::vector<double> counts = powers(1.0, 2.0, 11);
   return {
-      method("samples", palette::vermilion, counts, cases, sampled),
-      method("samples, then bisection", palette::orange, counts, cases, bisected),
-      method("conservative advancement", palette::purple, powers(1e-2, 0.01, tolerances), cases,
-             advanced),
+      method("samples", palette::vermilion, ladders.samples, cases, sampled),
+      method("samples, then bisection", palette::orange, ladders.samples_bisected, cases, bisected),
+      method("conservative advancement", palette::purple, ladders.tolerances, cases, advanced),
       method("textbook quadratic", palette::sky, {1.0}, cases, single(time_of_impact_textbook)),
       method("cross form", palette::blue, {1.0}, cases, single(time_of_impact)),
       method("certified", palette::green, {1.0}, cases, single(time_of_impact_certified)),
@@ -141,16 +146,18 @@ render::MeasuredChart chart(const char* name, const char* title, const char* sub
 }  // namespace
 
 int main(int argc, char** argv) {
+  const Ladders near{powers(1.0, 2.0, 11), powers(1.0, 2.0, 11), powers(1e-2, 0.01, 7)};
+  const Ladders far{powers(4.0, 16.0, 3), powers(16.0, 16.0, 2), powers(1e-2, 0.01, 3)};
   render::ChartPlan plan;
   plan.charts = {
       chart("chart", "A particle's time of impact: error against computing time",
-            "from 1.2 to 4 ρ away; 1 to 1024 samples, tolerances of 1e-2 to 1e-14",
-            particle_methods(1.2, 4.0, 7)),
-      chart("far", "The same from far away",
-            "from 10⁸ ρ away; 1 to 1024 samples, tolerances of 1e-2 to 1e-6",
-            particle_methods(0.9e8, 1.1e8, 3)),
+            "from 1.2 to 4 ρ away; 1 to 1024 samples, tolerances of 1e-2 to 1e-14 m",
+            particle_methods(1.2, 4.0, near)),
+      chart("far", "From far away: error of the time of impact against computing time",
+            "from 10⁸ ρ away; 4 to 1024 samples, tolerances of 1e-2 to 1e-6 m",
+            particle_methods(0.9e8, 1.1e8, far)),
       chart("edge", "A sweeping edge's time of impact: error against computing time",
-            "its ends pass by on both sides; 1 to 1024 samples, tolerances of 1e-2 to 1e-14",
+            "its ends pass by on both sides; 1 to 1024 samples, tolerances of 1e-2 to 1e-14 m",
             edge_methods())};
   return render::chart_main(argc, argv, plan);
 }

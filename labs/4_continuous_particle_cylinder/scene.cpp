@@ -19,7 +19,7 @@ constexpr double flight = 2.2;  // dt [s]
 constexpr int samples = 2;
 constexpr double speed = 1.0;      // [m/s]
 constexpr Cylinder cylinder{0.5};  // with the bullets' radius an exact sum, so that one grazes
-constexpr double bullet_radius = 1.0 / 16.0;
+constexpr double bullet_radius = 5.0 / 64.0;
 constexpr double reach = cylinder.radius + bullet_radius;
 constexpr double ground_height = -1.35;
 
@@ -32,9 +32,9 @@ constexpr std::array<Lane, 7> lanes{{{-1.0, 1.3},
                                      {-2.0 / 3.0, 1.6},
                                      {-1.0 / 3.0, 1.0},
                                      {0.0, 1.35},
-                                     {1.0 / 3.0, 1.645},
+                                     {1.0 / 3.0, 1.65},
                                      {2.0 / 3.0, 1.3},
-                                     {1.25, 1.5}}};
+                                     {1.45, 1.5}}};
 
 MovingParticle bullet(const Lane& lane) {
   return {{0.0, lane.offset * reach, lane.height}, {0.0, 0.0, -speed}, bullet_radius};
@@ -123,16 +123,16 @@ std::optional<EdgeImpact> edge_impact(std::vector<std::string>& missing) {
   }
 }
 
-/// Open at x = 0, where everything flies.
+/// Open just behind x = 0, where everything flies.
 void add_cylinder(render::Scene& scene, const char* name, double shift) {
   constexpr double half_length = 0.45;
   Mat3 along_x;
   along_x << 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0;
-  scene.cylinders.push_back({{{-half_length, shift, 0.0}, along_x},
+  scene.cylinders.push_back({{{-half_length - 0.02, shift, 0.0}, along_x},
                              cylinder.radius,
                              half_length,
                              {palette::grey, palette::sky, 0.55F}});
-  scene.labels.push_back({{0.5, shift - 0.35, ground_height}, name, palette::ink, 22.0});
+  scene.labels.push_back({{0.4, shift - 0.3, ground_height}, name, palette::ink, 22.0});
 }
 
 void add_ball(render::Scene& scene, const Vec3& place, const render::Colour& colour,
@@ -201,9 +201,9 @@ std::string measured(const std::vector<Group>& groups, const std::optional<EdgeI
   std::string text;
   char line[160];
   const auto add = [&] { text += (text.empty() ? "" : ";  ") + std::string(line); };
+  const auto hits = std::count_if(lanes.begin(), lanes.end(),
+                                  [](const Lane& lane) { return does_hit(bullet(lane)); });
   for (const Group& group : groups) {
-    const auto hits = std::count_if(lanes.begin(), lanes.end(),
-                                    [](const Lane& lane) { return does_hit(bullet(lane)); });
     std::ptrdiff_t found = 0;
     double deepest = 0.0;
     for (const Shot& shot : group.shots) {
@@ -211,13 +211,13 @@ std::string measured(const std::vector<Group>& groups, const std::optional<EdgeI
       ++found;
       deepest = std::max(deepest, std::abs(shot.contact->gap));
     }
-    std::snprintf(line, sizeof line, "%s: %td of %td found, gap to %.1g m", group.name, found, hits,
+    std::snprintf(line, sizeof line, "%s: %td of %td hits, |φ| to %.1g m", group.name, found, hits,
                   deepest);
     add();
   }
   if (edge && edge->contact) {
-    std::snprintf(line, sizeof line, "edge: %.3f s, its ends: %s", edge->contact->time,
-                  edge->has_end_contact ? "a hit" : "never");
+    std::snprintf(line, sizeof line, "edge: t* = %.3f s, ends: %s", edge->contact->time,
+                  edge->has_end_contact ? "a hit" : "none");
     add();
   }
   return text;
@@ -227,7 +227,7 @@ render::Film make_film() {
   render::Film film;
   film.title = "Bullets at a cylinder";
   film.subtitle = "samples miss (red) or come late, once on the wrong side; t* is on the surface";
-  film.parameters = "R = 0.5 m, r = 1/16 m, 1 m/s, a sample each 1.1 s";
+  film.parameters = "R = 0.5 m, r = 5/64 m, 1 m/s, samples 1.1 s apart";
   film.duration = 2.4;
   film.strip_times = {0.3, 0.8, 1.3, 2.3};
   film.bounds = {{-0.9, -2.75, ground_height}, {0.1, 2.95, 1.7}};

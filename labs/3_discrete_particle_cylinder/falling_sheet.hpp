@@ -22,7 +22,7 @@ inline void push_particles_out(Sheet& sheet, const Cylinder& cylinder) {
 
 /// Each triangle's deepest place goes back along the gradient, its corners by their weights there.
 inline void push_triangles_out(Sheet& sheet, const Cylinder& cylinder) {
-  constexpr int passes = 50;  // a push may leave a neighbour inside
+  constexpr int passes = 20;  // a push may leave a neighbour inside
   bool is_inside = true;
   for (int pass = 0; pass < passes && is_inside; ++pass) {
     is_inside = false;
@@ -43,7 +43,7 @@ inline void push_triangles_out(Sheet& sheet, const Cylinder& cylinder) {
   }
 }
 
-/// A rectangle of cells, each cut into two triangles as render::Cloth cuts them.
+/// A rectangle of cells, each cut into two triangles.
 struct FallingSheet {
   int rows;
   int columns;
@@ -70,7 +70,7 @@ struct FallingSheet {
   /// Weight and air, then the edges' lengths and the contacts in turn, until both about hold.
   void step(double dt, const Cylinder& cylinder, const PushOut& push_out) {
     constexpr double drag = 1.5;  // [1/s]
-    constexpr int turns = 10;
+    constexpr int turns = 8;
     const std::vector<Vec3> before = sheet.positions;
     for (std::size_t i = 0; i < before.size(); ++i) {
       velocities[i] += dt * (Vec3(0.0, 0.0, -9.81) - drag * velocities[i]);

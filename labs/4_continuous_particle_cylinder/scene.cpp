@@ -141,6 +141,11 @@ void add_ball(render::Scene& scene, const Vec3& place, const render::Colour& col
 }
 
 void add_mark(render::Scene& scene, const ParticleContact& contact, const Vec3& shift) {
+  const Vec3 inside = contact.point_on_particle + shift;
+  const Vec3 outside = contact.point_on_cylinder + shift;
+  if (contact.gap < -0.01) {
+    scene.trails.push_back({{outside, inside, outside}, palette::ink, 3.0});
+  }
   scene.contacts.push_back(
       {contact.point_on_cylinder + shift, contact.normal, 0.28, palette::green});
 }

@@ -27,7 +27,7 @@ struct Crossing {
 inline std::vector<Crossing> crossings(double diameters) {
   constexpr int strata_an_octave = 16;
   constexpr int octaves = 13;
-  constexpr int phases = 64;
+  constexpr int phases = 24;
   constexpr double golden = 0.6180339887498949;  // spreads phases evenly at every sample distance
   const double step = 2.0 * reach * diameters;
   std::vector<Crossing> all;

@@ -69,7 +69,7 @@ struct FallingSheet {
 
   /// Weight and air, then the edges' lengths and the contacts in turn, until both about hold.
   void step(double dt, const Cylinder& cylinder, const PushOut& push_out) {
-    constexpr double drag = 1.5;  // [1/s]
+    constexpr double drag = 3.0;  // [1/s]
     constexpr int turns = 8;
     const std::vector<Vec3> before = sheet.positions;
     for (std::size_t i = 0; i < before.size(); ++i) {

@@ -6,9 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "common/not_implemented.hpp"
-#include "falling_sheet.hpp"
 #include "render/film.hpp"
+#include "scene_motions.hpp"
 
 using namespace lab::discrete_particle_cylinder;
 using common::Mat3;
@@ -16,80 +15,7 @@ namespace palette = render::palette;
 
 namespace {
 
-constexpr double duration = 3.2;
-constexpr double frame_time = 0.02;
-constexpr int frames = 160;
-constexpr Cylinder cylinder{0.35};
 constexpr double foot = -0.95;  // where the names stand [m]
-
-constexpr int rows = 9;
-constexpr int columns = 4;
-constexpr double spacing = 0.3;
-
-/// What a sheet is at a moment.
-struct Moment {
-  Sheet sheet;
-  std::vector<std::size_t> sunk;  ///< edges that reach into the cylinder
-};
-
-/// A sheet through the whole film.
-struct Fall {
-  const char* name;
-  double x;
-  std::vector<Moment> moments;
-};
-
-std::optional<Fall> fallen(Fall fall, const PushOut& push_out, std::vector<std::string>& missing) {
-  constexpr int steps_a_frame = 5;
-  try {
-    FallingSheet falling(rows, columns, spacing, {fall.x, 0.0, 0.65}, 0.12);
-    for (int frame = 0; frame <= frames; ++frame) {
-      fall.moments.push_back({falling.sheet, sheet_contacts(falling.sheet, cylinder).edges});
-      for (int i = 0; i < steps_a_frame; ++i) {
-        falling.step(frame_time / steps_a_frame, cylinder, push_out);
-      }
-    }
-    return fall;
-  } catch (const common::NotImplemented& error) {
-    missing.push_back(error.step_and_function());
-    return std::nullopt;
-  }
-}
-
-/// A particle that is shot across the cylinder, and the sample that finds it.
-struct Shot {
-  double launch;  ///< [s]
-  StraightPath path;
-  std::optional<ParticleContact> contact;
-};
-
-constexpr int shot_count = 3;
-constexpr int samples = 3;
-constexpr double flight = 0.9;  // [s]
-constexpr double shot_radius = 0.07;
-constexpr double reach = cylinder.radius + shot_radius;
-constexpr double height = 0.8 * reach;  // above the axis: the chord is then 1.2 reach
-constexpr double chord = 1.2 * reach;
-constexpr double sample_distance = 1.5 * chord;
-
-/// One lane beside the other, their starts spread evenly over the distance of two samples.
-std::optional<std::vector<Shot>> shots(std::vector<std::string>& missing) {
-  try {
-    std::vector<Shot> all;
-    for (int i = 0; i < shot_count; ++i) {
-      const double phase = (i + 0.5) / shot_count;
-      const StraightPath path{{0.75 + 0.3 * i, -1.3 + phase * sample_distance, height},
-                              {0.0, samples * sample_distance / flight, 0.0},
-                              flight};
-      all.push_back(
-          {0.1 + 0.8 * i, path, first_sampled_contact(path, samples, shot_radius, cylinder)});
-    }
-    return all;
-  } catch (const common::NotImplemented& error) {
-    missing.push_back(error.step_and_function());
-    return std::nullopt;
-  }
-}
 
 void add_cylinder(render::Scene& scene) {
   Mat3 along_x;
@@ -209,7 +135,7 @@ render::Film make_film() {
   film.parameters = "R = 35 cm, cloth 2 cm thick, cells of 30 cm";
   film.duration = duration;
   film.strip_times = {0.2, 0.5, 1.4, 3.2};
-  film.bounds = {{-2.05, -0.7, foot}, {1.65, 0.8, 0.6}};
+  film.bounds = {{-2.05, -0.7, -0.8}, {1.65, 0.8, 0.6}};
   film.towards_eye = {0.3, -2.2, 0.95};
 
   std::vector<Fall> falls;

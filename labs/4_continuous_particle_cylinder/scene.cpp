@@ -1,13 +1,10 @@
 // Bullets and a cylinder that is cut open in the plane of their flight: looked at three times only,
 // and stopped at their times of impact. Beside them an edge whose ends pass by on both sides.
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdio>
 
-#include "common/not_implemented.hpp"
-#include "continuous_particle_cylinder.hpp"
 #include "render/film.hpp"
+#include "scene_motions.hpp"
 
 using namespace lab::continuous_particle_cylinder;
 using common::Mat3;
@@ -15,117 +12,12 @@ namespace palette = render::palette;
 
 namespace {
 
-constexpr double flight = 2.2;  // dt [s]
-constexpr int samples = 2;
-constexpr double speed = 1.0;      // [m/s]
-constexpr Cylinder cylinder{0.5};  // with the bullets' radius an exact sum, so that one grazes
-constexpr double bullet_radius = 5.0 / 64.0;
-constexpr double reach = cylinder.radius + bullet_radius;
 constexpr double ground_height = -1.35;
-
-/// How far from the axis a bullet passes, in reaches, and where it starts.
-struct Lane {
-  double offset;
-  double height;  ///< [m]
-};
-constexpr std::array<Lane, 7> lanes{{{-1.0, 1.3},
-                                     {-2.0 / 3.0, 1.6},
-                                     {-1.0 / 3.0, 1.0},
-                                     {0.0, 1.35},
-                                     {1.0 / 3.0, 1.65},
-                                     {2.0 / 3.0, 1.3},
-                                     {1.45, 1.5}}};
-
-MovingParticle bullet(const Lane& lane) {
-  return {{0.0, lane.offset * reach, lane.height}, {0.0, 0.0, -speed}, bullet_radius};
-}
-
-Vec3 position_at(const MovingParticle& particle, double time) {
-  return particle.position + time * particle.velocity;
-}
-
-/// A bullet as one way of looking sees it.
-struct Shot {
-  MovingParticle particle;
-  std::optional<ParticleContact> contact;
-};
-
-/// One way of looking, and where its cylinder stands in the picture.
-struct Group {
-  const char* name;
-  double shift;
-  bool has_samples;
-  std::vector<Shot> shots;
-};
-
-std::optional<double> first_sampled_time(const MovingParticle& particle) {
-  for (int k = 0; k <= samples; ++k) {
-    const double time = k * flight / samples;
-    const Vec3 position = position_at(particle, time);
-    if (std::hypot(position.y(), position.z()) <= reach) return time;
-  }
-  return std::nullopt;
-}
-
-std::optional<double> exact_time(const MovingParticle& particle) {
-  return time_of_impact(particle, cylinder, flight);
-}
-
-template <typename Look>
-std::optional<Group> watched(Group group, const Look& look, std::vector<std::string>& missing) {
-  try {
-    for (const Lane& lane : lanes) {
-      Shot shot{bullet(lane), std::nullopt};
-      const std::optional<double> time = look(shot.particle);
-      if (time) shot.contact = contact_at(shot.particle, cylinder, *time);
-      group.shots.push_back(shot);
-    }
-    return group;
-  } catch (const common::NotImplemented& error) {
-    missing.push_back(error.step_and_function());
-    return std::nullopt;
-  }
-}
-
 constexpr double edge_shift = 2.15;
-
-MovingEdge falling_edge() {
-  return {{0.0, -0.75, 1.55}, {0.0, 0.75, 1.1}, {0.0, 0.0, -1.1}, {0.0, 0.0, -0.8}, bullet_radius};
-}
-
-/// The edge's impact, at the place of it that is nearest to the axis, and what its ends see.
-struct EdgeImpact {
-  std::optional<ParticleContact> contact;
-  bool has_end_contact = false;
-};
-
-std::optional<EdgeImpact> edge_impact(std::vector<std::string>& missing) {
-  const MovingEdge edge = falling_edge();
-  try {
-    EdgeImpact impact;
-    for (const MovingParticle& end : {MovingParticle{edge.a, edge.velocity_a, edge.radius},
-                                      MovingParticle{edge.b, edge.velocity_b, edge.radius}}) {
-      impact.has_end_contact = impact.has_end_contact || exact_time(end).has_value();
-    }
-    const std::optional<double> time = time_of_impact_of_edge(edge, cylinder, flight);
-    if (!time) return impact;
-    const Vec3 a = edge.a + *time * edge.velocity_a;
-    const Vec3 span = edge.b + *time * edge.velocity_b - a;
-    const double s = std::clamp(-a.dot(span) / span.squaredNorm(), 0.0, 1.0);
-    const MovingParticle nearest{edge.a + s * (edge.b - edge.a),
-                                 edge.velocity_a + s * (edge.velocity_b - edge.velocity_a),
-                                 edge.radius};
-    impact.contact = contact_at(nearest, cylinder, *time);
-    return impact;
-  } catch (const common::NotImplemented& error) {
-    missing.push_back(error.step_and_function());
-    return std::nullopt;
-  }
-}
 
 /// Open just behind x = 0, where everything flies.
 void add_cylinder(render::Scene& scene, const char* name, double shift) {
-  constexpr double half_length = 0.45;
+  constexpr double half_length = 0.35;
   Mat3 along_x;
   along_x << 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0;
   scene.cylinders.push_back({{{-half_length - 0.02, shift, 0.0}, along_x},
@@ -149,8 +41,6 @@ void add_mark(render::Scene& scene, const ParticleContact& contact, const Vec3& 
   scene.contacts.push_back(
       {contact.point_on_cylinder + shift, contact.normal, 0.28, palette::green});
 }
-
-bool does_hit(const MovingParticle& particle) { return std::abs(particle.position.y()) <= reach; }
 
 render::Colour colour_of(const Shot& shot, double time) {
   if (!does_hit(shot.particle)) return palette::grey;
@@ -216,7 +106,7 @@ std::string measured(const std::vector<Group>& groups, const std::optional<EdgeI
       ++found;
       deepest = std::max(deepest, std::abs(shot.contact->gap));
     }
-    std::snprintf(line, sizeof line, "%s: %td of %td hits, |φ| to %.1g m", group.name, found, hits,
+    std::snprintf(line, sizeof line, "%s: %td of %td, |φ| to %.1g m", group.name, found, hits,
                   deepest);
     add();
   }

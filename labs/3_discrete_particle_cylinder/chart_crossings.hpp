@@ -20,32 +20,43 @@ struct Crossing {
   double weight;  ///< its share of all crossings
 };
 
-/// Crossings at a speed that steps `diameters` diameters of the cylinder in a second. Their
-/// half chords u, in units of ρ, lie in strata of equal ratio, so that the short chords, which
-/// alone are missed by short steps, are well represented; a stratum weighs as much of the distance
-/// b = √(1 − u²) from the axis as it holds.
+/// Borders of strata of crossings by their half chord u, in units of ρ, falling: at equal distances
+/// b = √(1 − u²) from the axis down to u = 1/2, and from there at equal ratios, so that the short
+/// chords, which alone are missed by short steps, are well represented.
+inline std::vector<double> half_chords() {
+  constexpr int deep = 64;
+  constexpr int an_octave = 16;
+  constexpr int octaves = 12;
+  std::vector<double> borders;
+  for (int i = 0; i < deep; ++i) borders.push_back(std::sqrt(1.0 - 0.75 * i * i / (deep * deep)));
+  for (int i = 0; i <= an_octave * octaves; ++i) {
+    borders.push_back(0.5 * std::exp2(-static_cast<double>(i) / an_octave));
+  }
+  borders.push_back(0.0);
+  return borders;
+}
+
+/// Crossings at a speed that steps `diameters` diameters of the cylinder in a second. A stratum
+/// weighs as much of the distance from the axis as it holds.
 inline std::vector<Crossing> crossings(double diameters) {
-  constexpr int strata_an_octave = 16;
-  constexpr int octaves = 13;
-  constexpr int phases = 24;
-  constexpr double golden = 0.6180339887498949;  // spreads phases evenly at every sample distance
+  constexpr int phases = 25;                     // odd: even, too, at 2, 4, 8 … samples a step
+  constexpr double golden = 0.6180339887498949;  // and others in each stratum
   const double step = 2.0 * reach * diameters;
+  const std::vector<double> borders = half_chords();
   std::vector<Crossing> all;
-  double high = 1.0;
-  for (int stratum = 1; high > 0.0; ++stratum) {
-    const bool is_last = stratum > strata_an_octave * octaves;
-    const double low = is_last ? 0.0 : std::exp2(-static_cast<double>(stratum) / strata_an_octave);
+  for (std::size_t i = 1; i < borders.size(); ++i) {
+    const double high = borders[i - 1];
+    const double low = borders[i];
     const double u = 0.5 * (low + high);
     const double b = std::sqrt(1.0 - u * u);
     const double share =
         (high - low) * (high + low) / (std::sqrt(1.0 - low * low) + std::sqrt(1.0 - high * high));
+    const double turns = golden * static_cast<double>(i);
     for (int phase = 0; phase < phases; ++phase) {
-      const double turns = golden * static_cast<double>(all.size());
-      const double start = -step * (0.5 + turns - std::floor(turns));
+      const double start = -step * (0.5 + (phase + turns - std::floor(turns)) / phases);
       const StraightPath path{{0.0, start, b * reach}, {0.0, step, 0.0}, steps_a_path};
       all.push_back({path, (-u * reach - start) / step, share / phases});
     }
-    high = low;
   }
   return all;
 }

@@ -66,7 +66,7 @@ struct Unseen {
 /// `sees` is the check of a triangle.
 template <typename Sees>
 Unseen unseen(double edge_length, const Sees& sees) {
-  constexpr std::uint32_t count = 60000;
+  constexpr std::uint32_t count = 100000;
   const Triangles triangles(edge_length);
   Unseen result;
   double inside = 0.0;

@@ -139,7 +139,7 @@ render::MeasuredChart chart(const char* name, const char* title, const char* sub
   chart.parameter_name = "samples, or tolerance [m]";
   chart.failure_error = nothing_is_known;
   chart.failure_text = "a hit is missed, or is none: nothing is known of dt";
-  chart.rounding_floor = 5.5e-17;  // half an ulp of a time just below dt
+  chart.rounding_floor = 1.1e-16;
   return {chart, methods};
 }
 

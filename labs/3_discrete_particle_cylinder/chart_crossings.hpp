@@ -28,6 +28,7 @@ inline std::vector<double> half_chords() {
   constexpr int an_octave = 16;
   constexpr int octaves = 12;
   std::vector<double> borders;
+  borders.reserve(deep + an_octave * octaves + 2);
   for (int i = 0; i < deep; ++i) borders.push_back(std::sqrt(1.0 - 0.75 * i * i / (deep * deep)));
   for (int i = 0; i <= an_octave * octaves; ++i) {
     borders.push_back(0.5 * std::exp2(-static_cast<double>(i) / an_octave));

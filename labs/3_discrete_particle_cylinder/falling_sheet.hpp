@@ -94,7 +94,8 @@ struct FallingSheet {
 
  private:
   [[nodiscard]] std::size_t index(int row, int column) const {
-    return static_cast<std::size_t>(row * columns + column);
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column);
   }
   [[nodiscard]] double length(std::size_t a, std::size_t b) const {
     return (sheet.positions[b] - sheet.positions[a]).norm();

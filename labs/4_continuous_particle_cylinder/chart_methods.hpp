@@ -18,7 +18,8 @@ struct Found {
 /// The first sampled contact of a motion whose gap is `gap_at`; with its number in `evaluations`.
 template <typename GapAt>
 Found first_sample(const GapAt& gap_at, double samples) {
-  for (double k = 0.0; k <= samples; k += 1.0) {
+  const int count = static_cast<int>(samples);
+  for (int k = 0; k <= count; ++k) {
     const double time = k / samples * dt;
     if (gap_at(time) <= 0.0) return {time, k + 1.0};
   }

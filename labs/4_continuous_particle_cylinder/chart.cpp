@@ -79,11 +79,14 @@ render::Method batch_method(const char* name, render::Colour colour,
   return result;
 }
 
-std::vector<double> powers(double first, double factor, int count) {
-  std::vector<double> ladder{first};
-  while (static_cast<int>(ladder.size()) < count) ladder.push_back(factor * ladder.back());
+/// From `first` to 1024.
+std::vector<double> counts(int first, int factor) {
+  std::vector<double> ladder;
+  for (int count = first; count <= 1024; count *= factor) ladder.push_back(count);
   return ladder;
 }
+
+const std::vector<double> tolerances{1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14};
 
 /// The ladders of the methods that have one.
 struct Ladders {
@@ -119,9 +122,8 @@ std::vector<render::Method> edge_methods() {
   };
   return {
       method("its ends alone", palette::vermilion, {1.0}, cases, ends_alone),
-      method("samples", palette::orange, powers(1.0, 2.0, 11), cases, sampled_edge),
-      method("conservative advancement", palette::purple, powers(1e-2, 0.01, 7), cases,
-             advanced_edge),
+      method("samples", palette::orange, counts(1, 2), cases, sampled_edge),
+      method("conservative advancement", palette::purple, tolerances, cases, advanced_edge),
       method("quartic", palette::green, {1.0}, cases, quartic),
   };
 }
@@ -146,8 +148,8 @@ render::MeasuredChart chart(const char* name, const char* title, const char* sub
 }  // namespace
 
 int main(int argc, char** argv) {
-  const Ladders near{powers(1.0, 2.0, 11), powers(1.0, 2.0, 11), powers(1e-2, 0.01, 7)};
-  const Ladders far{powers(4.0, 16.0, 3), powers(16.0, 16.0, 2), powers(1e-2, 0.01, 3)};
+  const Ladders near{counts(1, 2), counts(1, 2), tolerances};
+  const Ladders far{counts(4, 16), counts(16, 16), {1e-2, 1e-4, 1e-6}};
   render::ChartPlan plan;
   plan.charts = {
       chart("chart", "A particle's time of impact: error against computing time",

@@ -110,7 +110,8 @@ void expect_between(const Query& query, double tolerance, int index, int count) 
   if (!earliest.seconds || latest.seconds) here.expect(got, latest, {infinity, "hit or miss"});
   if (!got.seconds) return;
   const double speed = speed_of(query);
-  const double rounding = speed > 0.0 ? 1e-12 * (tests::rho(query) + speed * query.dt) / speed : 0.0;
+  const double rounding =
+      speed > 0.0 ? 1e-12 * (tests::rho(query) + speed * query.dt) / speed : 0.0;
   here.expect_small("early", *earliest.seconds - *got.seconds,
                     {rounding, "not before the gap is within the tolerance"});
   if (latest.seconds) {
@@ -136,8 +137,8 @@ TEST_CASE("Advancement follows its sequence step by step", "[4.3]") {
   tests::Random random(4321);
   for (int i = 1; i <= 150; ++i) {
     const double distance = random.uniform(1.1, 5.0);
-    Query query = tests::aimed(random, {distance, random.uniform(-1.1, 1.1),
-                                        tests::power_of_ten(random, -1.0, 1.0)});
+    Query query = tests::aimed(
+        random, {distance, random.uniform(-1.1, 1.1), tests::power_of_ten(random, -1.0, 1.0)});
     query.dt *= random.uniform(0.2, 1.0);
     expect_sequence(query, tests::power_of_ten(random, -9.0, -2.0), i, 150);
   }
@@ -147,8 +148,8 @@ TEST_CASE("Advancement is never late and early by no more than its tolerance tak
   tests::Random random(4322);
   for (int i = 1; i <= 200; ++i) {
     const double distance = random.uniform(1.1, 5.0);
-    const Query query = tests::aimed(random, {distance, random.uniform(-1.05, 1.05),
-                                              tests::power_of_ten(random, -3.0, 3.0)});
+    const Query query = tests::aimed(
+        random, {distance, random.uniform(-1.05, 1.05), tests::power_of_ten(random, -3.0, 3.0)});
     expect_between(query, tests::power_of_ten(random, -8.0, -2.0), i, 200);
   }
 }
@@ -166,12 +167,13 @@ TEST_CASE("At an angle of incidence the gap shrinks by 1 - cos an iteration", "[
     const Query query = tests::query({0, 3, std::sin(angle)}, {0, -1, 0}, 10.0, 0.75, 0.25);
     const Advancement first = advanced(query, coarse);
     const Advancement second = advanced(query, fine);
-    trial(query, fine).expect(Time{second.time}, tests::time_of(query),
-                              {1.01 * fine / std::cos(angle), "what the tolerance takes"});
-    trial(query, fine).expect_small(
-        "iterations between tolerances 1e-4 and this, less ln(ratio)/ln(1 - cos)",
-        std::abs(second.iterations - first.iterations - more),
-        {1.0, "the gap falls by 1 - cos an iteration; where it began may cost one"});
+    trial(query, fine)
+        .expect(Time{second.time}, tests::time_of(query),
+                {1.01 * fine / std::cos(angle), "what the tolerance takes"});
+    trial(query, fine)
+        .expect_small("iterations between tolerances 1e-4 and this, less ln(ratio)/ln(1 - cos)",
+                      std::abs(second.iterations - first.iterations - more),
+                      {1.0, "the gap falls by 1 - cos an iteration; where it began may cost one"});
   }
 }
 
@@ -212,11 +214,10 @@ TEST_CASE("Within the tolerance at the start it takes one evaluation", "[4.3]") 
 }
 
 TEST_CASE("Advancement refuses bad arguments", "[4.3]") {
-  tests::expect_bad_queries_throw(
-      step, [](const Query& query) { return advanced(query, 1e-6).time; });
+  tests::expect_bad_queries_throw(step,
+                                  [](const Query& query) { return advanced(query, 1e-6).time; });
   const Query query = tests::query({0, 10, 20}, {0, -1, 0}, 1.0);
-  for (const double tolerance :
-       {0.0, -1e-6, infinity, std::numeric_limits<double>::quiet_NaN()}) {
+  for (const double tolerance : {0.0, -1e-6, infinity, std::numeric_limits<double>::quiet_NaN()}) {
     trial(query, tolerance)
         .expect_throw([&] { return Time{advanced(query, tolerance).time}; },
                       "the tolerance is not a finite number above zero",

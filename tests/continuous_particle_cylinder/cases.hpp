@@ -25,10 +25,10 @@ struct HandCase {
 
 /// ρ = 5. None of them touches only just; see ties().
 inline std::vector<HandCase> hand_cases() {
-  return {{query({0, 10, 3}, {0, -2, 0}, 10.0), 3.0},        // down a line 3 beside the axis
-          {query({0, 3, -16}, {0, 0, 4}, 10.0), 3.0},        // and along z
-          {query({7, 10, 3}, {-9, -2, 0}, 10.0), 3.0},       // x plays no part
-          {query({1e6, 25, 0}, {1e6, -5, 0}, 10.0), 4.0},    // through the axis
+  return {{query({0, 10, 3}, {0, -2, 0}, 10.0), 3.0},           // down a line 3 beside the axis
+          {query({0, 3, -16}, {0, 0, 4}, 10.0), 3.0},           // and along z
+          {query({7, 10, 3}, {-9, -2, 0}, 10.0), 3.0},          // x plays no part
+          {query({1e6, 25, 0}, {1e6, -5, 0}, 10.0), 4.0},       // through the axis
           {query({0, 10, 3}, {0, -2, 0}, 2.5), std::nullopt},   // too late
           {query({0, 10, 3}, {0, 2, 0}, 10.0), std::nullopt},   // it was there before
           {query({0, 10, 6}, {0, -2, 0}, 10.0), std::nullopt},  // it passes
@@ -154,8 +154,8 @@ inline Query far_query(Random& random) {
 
 /// Some 1e6 radii within dt.
 inline Query fast_query(Random& random) {
-  Query query =
-      aimed(random, {random.uniform(1.1, 1e6), random.uniform(-1.2, 1.2), random.uniform(1e5, 1e7)});
+  Query query = aimed(
+      random, {random.uniform(1.1, 1e6), random.uniform(-1.2, 1.2), random.uniform(1e5, 1e7)});
   query.dt = 1.0;
   return query;
 }

@@ -133,8 +133,8 @@ TEST_CASE("The certified root is right at every scale down to the last subnormal
       [](tests::Random& random) { return at_any_scale(random, tests::generic_query(random)); }, 438,
       300);
   expect_all_certain(
-      [](tests::Random& random) { return at_any_scale(random, tests::lattice_query(random)); },
-      439, 300);
+      [](tests::Random& random) { return at_any_scale(random, tests::lattice_query(random)); }, 439,
+      300);
 }
 
 TEST_CASE("The certified root is right where every size is of its own order", "[4.3]") {

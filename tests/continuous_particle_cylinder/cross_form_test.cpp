@@ -27,8 +27,8 @@ void expect_four_ulp(const Query& query, int index, int count) {
   tests::expect_exact(trial, got, query, 4.0);
 }
 
-/// The path is a miss, and so it is for a cylinder that is wider by 64 eps and lasts as much longer:
-/// no rounding of a few operations may make a hit of it.
+/// The path is a miss, and so it is for a cylinder that is wider by 64 eps and lasts as much
+/// longer: no rounding of a few operations may make a hit of it.
 bool clearly_missed(Query query) {
   query.cylinder.radius += 64.0 * eps * tests::rho(query);
   query.dt *= 1.0 + 64.0 * eps;
@@ -84,7 +84,8 @@ TEST_CASE("On deep paths the cross form is right to four ulp near and far and at
           "[4.2]") {
   tests::Random random(424);
   for (int i = 1; i <= 600; ++i) {
-    const double distance = i % 2 == 0 ? random.uniform(1.5, 5.0) : tests::power_of_ten(random, 0.2, 8.5);
+    const double distance =
+        i % 2 == 0 ? random.uniform(1.5, 5.0) : tests::power_of_ten(random, 0.2, 8.5);
     const double speed = tests::power_of_ten(random, -9.0, 9.0);
     expect_four_ulp(deep_query(random, distance, speed), i, 600);
   }

@@ -105,11 +105,10 @@ inline void add_suspects_of_inside(TimeSuspects& suspects, const Query& query) {
 }
 
 inline TimeSuspects suspects_of(const Query& query) {
-  TimeSuspects suspects{
-      {rounded(first_time(quadratic(query, 0.0), query.dt)),
-       "the particle's radius is forgotten: R where R + r belongs"},
-      {rounded(first_time(quadratic(query, query.particle.radius, 3), query.dt)),
-       "x is kept in the distance: only y and z count"}};
+  TimeSuspects suspects{{rounded(first_time(quadratic(query, 0.0), query.dt)),
+                         "the particle's radius is forgotten: R where R + r belongs"},
+                        {rounded(first_time(quadratic(query, query.particle.radius, 3), query.dt)),
+                         "x is kept in the distance: only y and z count"}};
   if (quadratic(query).c > 0) {
     add_suspects_of_path(suspects, query);
   } else {
@@ -123,8 +122,7 @@ inline void expect_exact(const Trial& trial, const Time& got, const Query& query
                          const TimeSuspects& suspects) {
   const std::optional<Digits100> exact = exact_time(query);
   const std::string reason = text(ulp_bound) + " ulp of t, as the contract says";
-  const double bound =
-      exact ? static_cast<double>(Digits100(ulp_bound * ulp(*exact))) : 0.0;
+  const double bound = exact ? static_cast<double>(Digits100(ulp_bound * ulp(*exact))) : 0.0;
   trial.expect(got, rounded(exact), {bound, exact ? reason : "there is no impact"}, suspects);
   if (exact) trial.expect_small("ulp from t*", ulps(*got.seconds, *exact), {ulp_bound, reason});
 }

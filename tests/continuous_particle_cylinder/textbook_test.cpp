@@ -73,7 +73,7 @@ TEST_CASE("Near one the textbook root is right but for rounding", "[4.1]") {
     const double distance = random.uniform(1.1, 5.0);
     const double offset = random.uniform(-0.9, 0.9);
     Query query = tests::aimed(random, {distance, offset, random.uniform(0.5, 2.0)});
-    if (i % 3 == 0) query.dt *= 0.1;        // too short for most
+    if (i % 3 == 0) query.dt *= 0.1;  // too short for most
     if (i % 4 == 0) query.particle.velocity *= -1.0;
     const Time wanted = tests::time_of(query);
     if (wanted.seconds && *wanted.seconds > 0.999 * query.dt) continue;  // rounding may decide
@@ -112,10 +112,11 @@ TEST_CASE("The textbook root loses digits with the square of the distance", "[4.
     }
     std::nth_element(errors.begin(), errors.begin() + 100, errors.end());
     const double least = distance * distance * eps / 16.0;
-    tests::trial(step, query).expect_small(
-        "eps D^2/16 over the median error of the place", least / errors[100],
-        {1.0, "the rounding of b^2 alone costs as much"},
-        "this is not the textbook's formula: it is too good far off; write eq. (3) as it stands");
+    tests::trial(step, query)
+        .expect_small("eps D^2/16 over the median error of the place", least / errors[100],
+                      {1.0, "the rounding of b^2 alone costs as much"},
+                      "this is not the textbook's formula: it is too good far off; write eq. (3) "
+                      "as it stands");
   }
 }
 
@@ -129,12 +130,12 @@ TEST_CASE("Farther than eps allows the textbook root misses hits and finds false
     query = tests::aimed(random, {1e9, i % 2 == 0 ? 0.0 : 3.0, 1.0});
     const Time got{textbook(query)};
     // Whatever of it is a time must be one: the noise may not reach the answer as NaN.
-    tests::trial(step, query).expect_small(
-        "time out of [0, dt]",
-        got.seconds ? std::max({0.0, -*got.seconds, *got.seconds - query.dt}) +
-                          0.0 * *got.seconds
-                    : 0.0,
-        {0.0, "an impact is in [0, dt]"});
+    tests::trial(step, query)
+        .expect_small("time out of [0, dt]",
+                      got.seconds ? std::max({0.0, -*got.seconds, *got.seconds - query.dt}) +
+                                        0.0 * *got.seconds
+                                  : 0.0,
+                      {0.0, "an impact is in [0, dt]"});
     if (i % 2 == 0 && !got.seconds) ++missed;
     if (i % 2 == 1 && got.seconds) ++false_hits;
   }

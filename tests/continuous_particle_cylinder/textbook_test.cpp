@@ -25,7 +25,7 @@ Time with_half_of_b(const Query& query) {
   return tests::rounded(tests::first_time(f, query.dt));
 }
 
-tests::TimeSuspects suspects_of(const Query& query) {
+tests::TimeSuspects textbook_suspects(const Query& query) {
   tests::TimeSuspects suspects = tests::suspects_of(query);
   suspects.push_back({with_half_of_b(query), "b lacks its factor: x.v where 2 x.v belongs"});
   return suspects;
@@ -54,7 +54,7 @@ TEST_CASE("The textbook root is right on paths of whole numbers", "[4.1]") {
     const auto trial = tests::trial(step, query, ++index, static_cast<int>(cases.size()));
     trial.expect(Time{trial.returned([&, &q = query] { return textbook(q); })}, Time{time},
                  {4.0 * eps * time.value_or(0.0), "whole numbers: only the division may round"},
-                 suspects_of(query));
+                 textbook_suspects(query));
   }
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("Near one the textbook root is right but for rounding", "[4.1]") {
     tests::trial(step, query, i, 300)
         .expect(Time{textbook(query)}, wanted,
                 {bound, "eleven roundings in b^2 - 4 a c, each relative to b^2"},
-                suspects_of(query));
+                textbook_suspects(query));
   }
 }
 
@@ -107,7 +107,7 @@ TEST_CASE("The textbook root loses digits with the square of the distance", "[4.
       const double way = largest_place_error(distance, 0.5);
       trial.expect(got, tests::time_of(query),
                    {way * tests::rho(query), "5.5 eps D^2/sqrt(1 - h^2), D and h in rho"},
-                   suspects_of(query));
+                   textbook_suspects(query));
       errors.push_back(place_error(query, *got.seconds));
     }
     std::nth_element(errors.begin(), errors.begin() + 100, errors.end());

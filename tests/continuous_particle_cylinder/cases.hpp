@@ -202,6 +202,36 @@ inline Query lattice_query(Random& random) {
   return query;
 }
 
+/// A line that touches exactly, or passes ρ by 2⁻⁵² within or beyond: a triangle of whole numbers
+/// near 2⁵⁰, so that ρ² |v|² and (x × v)² have 200 digits, of which 106 are the same.
+inline Query pythagorean_query(Random& random) {
+  const auto whole = [&](double low, double high) { return std::floor(random.uniform(low, high)); };
+  const double p = whole(0x1p22, 0x1p23);
+  const double q = whole(0x1p21, 0x1p22);
+  const Vec3 v(0.0, p * p - q * q, 2.0 * p * q);
+  const Vec3 across(0.0, -v.z(), v.y());
+  const double side = whole(0.0, 2.0) == 0.0 ? 1.0 : -1.0;
+  const double k = 3.0 + 2.0 * whole(0.0, 3.0);
+  Query query;
+  query.particle.position = side * k * across - whole(1.0, 5.0) * v;
+  query.particle.velocity = v;
+  query.particle.radius = 1.0 + whole(-1.0, 2.0) * 0x1p-52;
+  query.cylinder.radius = k * (p * p + q * q) - 1.0;
+  query.dt = 9.0;
+  return query;
+}
+
+/// A line that passes beyond R + r, but not beyond that sum rounded up to a double.
+inline Query rounded_sum_query(Random& random) {
+  Query query = tests::query({0, 9, 0}, {0, -1, 0}, 20.0);
+  do {
+    query.cylinder.radius = random.uniform(0.5, 4.0);
+    query.particle.radius = random.uniform(0.1, 1.0);
+    query.particle.position.z() = rho(query);
+  } while (discriminant(quadratic(query)) >= 0);
+  return query;
+}
+
 /// Numbers of any size that a double has, each by itself.
 inline double any_number(Random& random) {
   const double mantissa = random.uniform(1.0, 2.0);

@@ -14,16 +14,26 @@ std::optional<double> certified(const Query& query) {
   return time_of_impact_certified(query.particle, query.cylinder, query.dt);
 }
 
-void expect_certain(const Query& query, int index, int count) {
+void expect_certain(const Query& query, int index, int count, const tests::TimeSuspects& suspects) {
   const auto trial = tests::trial(step, query, index, count);
   const Time got{trial.returned([&] { return certified(query); })};
-  tests::expect_exact(trial, got, query, 1.0);
+  tests::expect_exact(trial, got, query, 1.0, suspects);
 }
 
 template <typename Draw>
 void expect_all_certain(const Draw& draw, int seed, int count) {
   tests::Random random(static_cast<std::uint64_t>(seed));
-  for (int i = 1; i <= count; ++i) expect_certain(draw(random), i, count);
+  for (int i = 1; i <= count; ++i) {
+    const Query query = draw(random);
+    expect_certain(query, i, count, tests::suspects_of(query));
+  }
+}
+
+/// The same where an ulp decides: what goes wrong there may be rounding and names no mistake.
+template <typename Draw>
+void expect_all_close_ones_certain(const Draw& draw, int seed, int count) {
+  tests::Random random(static_cast<std::uint64_t>(seed));
+  for (int i = 1; i <= count; ++i) expect_certain(draw(random), i, count, {});
 }
 
 /// By powers of two to either end of a double's range; dt is kept finite.
@@ -72,7 +82,8 @@ Query wild_query(tests::Random& random) {
 
 TEST_CASE("The certified root is right on paths of whole numbers", "[4.3]") {
   int index = 0;
-  for (const auto& [query, time] : tests::hand_cases()) expect_certain(query, ++index, 17);
+  for (const auto& [query, time] : tests::hand_cases())
+    expect_certain(query, ++index, 17, tests::suspects_of(query));
 }
 
 TEST_CASE("The certified root counts touches and nothing next to them", "[4.3]") {
@@ -86,13 +97,13 @@ TEST_CASE("The certified root counts touches and nothing next to them", "[4.3]")
     // r, R, dt by one ulp: 1 + 4 is ρ exactly, however small the difference.
     Query query = tie.query;
     query.particle.radius = std::nextafter(query.particle.radius, 0.0);
-    expect_certain(query, index, count);
+    expect_certain(query, index, count, {});
     query = tie.query;
     query.cylinder.radius = std::nextafter(query.cylinder.radius, 0.0);
-    expect_certain(query, index, count);
+    expect_certain(query, index, count, {});
     query = tie.query;
     if (query.dt > 0.0) query.dt = std::nextafter(query.dt, 0.0);
-    expect_certain(query, index, count);
+    expect_certain(query, index, count, {});
   }
 }
 
@@ -109,15 +120,15 @@ TEST_CASE("The certified root is right to one ulp at a million radii a step", "[
 }
 
 TEST_CASE("The certified root is right to one ulp at the slowest next to the surface", "[4.3]") {
-  expect_all_certain(tests::slow_query, 434, 500);
+  expect_all_close_ones_certain(tests::slow_query, 434, 500);
 }
 
 TEST_CASE("The certified root is right on paths that graze by an ulp", "[4.3]") {
-  expect_all_certain(tests::grazing_query, 435, 1000);
+  expect_all_close_ones_certain(tests::grazing_query, 435, 1000);
 }
 
 TEST_CASE("The certified root is right where the impact is within an ulp of dt", "[4.3]") {
-  expect_all_certain(
+  expect_all_close_ones_certain(
       [](tests::Random& random) {
         return tests::ending_at_impact(random, tests::generic_query(random));
       },
@@ -125,7 +136,23 @@ TEST_CASE("The certified root is right where the impact is within an ulp of dt",
 }
 
 TEST_CASE("The certified root is right between whole numbers where many paths touch", "[4.3]") {
-  expect_all_certain(tests::lattice_query, 437, 1000);
+  expect_all_close_ones_certain(tests::lattice_query, 437, 1000);
+}
+
+TEST_CASE("The certified root is right where 106 bits cannot tell a touch", "[4.3]") {
+  expect_all_close_ones_certain(tests::pythagorean_query, 4312, 300);
+}
+
+TEST_CASE("The sum of the radii is not rounded", "[4.3]") {
+  tests::Random random(4313);
+  for (int i = 1; i <= 100; ++i) {
+    const Query query = tests::rounded_sum_query(random);
+    Query wide = query;
+    wide.cylinder.radius = query.particle.position.z();
+    expect_certain(query, i, 100,
+                   {{tests::rounded(tests::first_time(tests::quadratic(wide, 0.0), query.dt)),
+                     "R + r is rounded to a double: rho is their exact sum"}});
+  }
 }
 
 TEST_CASE("The certified root is right at every scale down to the last subnormal", "[4.3]") {

@@ -152,6 +152,10 @@ TEST_CASE("The cross form misses no touch between whole numbers", "[4.2]") {
   expect_none_missed(tests::lattice_query, 4212, 1000);
 }
 
+TEST_CASE("The cross form misses no touch of large whole numbers", "[4.2]") {
+  expect_none_missed(tests::pythagorean_query, 4213);
+}
+
 TEST_CASE("The cross form refuses bad arguments", "[4.2]") {
   tests::expect_bad_queries_throw(step, cross_form);
 }

@@ -27,7 +27,8 @@ struct HandCase {
 inline std::vector<HandCase> hand_cases() {
   return {{query({0, 10, 3}, {0, -2, 0}, 10.0), 3.0},           // down a line 3 beside the axis
           {query({0, 3, -16}, {0, 0, 4}, 10.0), 3.0},           // and along z
-          {query({7, 10, 3}, {-9, -2, 0}, 10.0), 3.0},          // x plays no part
+          {query({2, 10, 3}, {0, -2, 0}, 10.0), 3.0},           // x plays no part
+          {query({7, 10, 3}, {-9, -2, 0}, 10.0), 3.0},          // however it moves
           {query({1e6, 25, 0}, {1e6, -5, 0}, 10.0), 4.0},       // through the axis
           {query({0, 10, 3}, {0, -2, 0}, 2.5), std::nullopt},   // too late
           {query({0, 10, 3}, {0, 2, 0}, 10.0), std::nullopt},   // it was there before

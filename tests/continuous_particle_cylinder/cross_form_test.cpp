@@ -76,7 +76,8 @@ TEST_CASE("The cross form counts touches at the start and in passing and at dt",
     // Deeper by 64 eps of ρ the line would enter √(2 · 64 eps) ρ earlier.
     const double way = std::sqrt(128.0 * eps) * tests::rho(tie.query);
     tests::expect_tie(trial, cross_form, tie,
-                      {way, "at a touch in passing a few eps of depth are a root of eps of time"});
+                      {way, "at a touch in passing a few eps of depth are a root of eps of time"},
+                      tests::suspects_of(tie.query));
   }
 }
 

@@ -12,6 +12,8 @@ using tests::Time;
 namespace {
 
 const std::string step = "4.1 time_of_impact_textbook";
+const std::string not_the_textbook =
+    "this is not the textbook's formula: it is too good far off; write eq. (3) as it stands";
 
 std::optional<double> textbook(const Query& query) {
   return time_of_impact_textbook(query.particle, query.cylinder, query.dt);
@@ -63,7 +65,8 @@ TEST_CASE("The textbook root counts touches at the start and in passing and at d
   int index = 0;
   for (const tests::Tie& tie : ties) {
     tests::expect_tie(tests::trial(step, tie.query, ++index, static_cast<int>(ties.size())),
-                      textbook, tie, {4.0 * eps * tie.time, "whole numbers: all is exact"});
+                      textbook, tie, {4.0 * eps * tie.time, "whole numbers: all is exact"},
+                      textbook_suspects(tie.query));
   }
 }
 
@@ -139,8 +142,9 @@ TEST_CASE("Farther than eps allows the textbook root misses hits and finds false
     if (i % 2 == 0 && !got.seconds) ++missed;
     if (i % 2 == 1 && got.seconds) ++false_hits;
   }
-  const std::string likely =
-      "this is not the textbook's formula: it is too good far off; write eq. (3) as it stands";
+  // Only where neither happens are the digits there: a mistake may miss all alike.
+  const bool too_good = missed == 0 && false_hits == 0;
+  const std::string likely = too_good ? not_the_textbook : "";
   const auto trial = tests::trial(step, query);
   trial.expect_small("1 - hits missed", 1.0 - missed, {0.0, "200 paths through the axis"}, likely);
   trial.expect_small("1 - false hits", 1.0 - false_hits, {0.0, "200 paths 3 rho beside"}, likely);

@@ -38,7 +38,7 @@ inline Whole in_units(double value, int unit) {
 
 struct Impact {
   Digits time;
-  bool deep = false;  ///< nearer to the axis than ρ √3/2: the root is well conditioned
+  bool deep = false;  ///< nearer to the axis than ρ/2: the root is well conditioned
 };
 
 class ImpactOracle {
@@ -68,7 +68,7 @@ class ImpactOracle {
     const Whole reach = rho_ * rho_ * a - w * w;
     if (!inside_at_end() && (b >= 0 || reach < 0 || nearing_at_end())) return std::nullopt;
     const Digits slope = Digits(sqrt(Digits(reach))) - Digits(b);
-    return Impact{ldexp(Digits(c) / slope, time_unit_), 4 * w * w <= 3 * rho_ * rho_ * a};
+    return Impact{ldexp(Digits(c) / slope, time_unit_), 4 * w * w <= rho_ * rho_ * a};
   }
 
  private:

@@ -1,6 +1,6 @@
 // Lab 4's answers against exact arithmetic: impacts missed, impacts found where there is none, and
 // the worst time in units in the last place; that again where the path goes deep, nearer to the
-// axis than ρ √3/2. Fails where the certified time or the batch ever errs, and where the cross form
+// axis than ρ/2. Fails where the certified time or the batch ever errs, and where the cross form
 // misses an impact or, in a well-conditioned class, is more than 4 ulp off a deep path's.
 //
 //   impact_proof <queries a random class> <queries an adversarial class>

@@ -81,10 +81,17 @@ ExactNumber operator*(const ExactNumber& a, const ExactNumber& b) {
 
 int ExactNumber::sign() const { return parts_->mantissa.sign(); }
 
-DoubleDouble ExactNumber::rounded() const {
+int ExactNumber::exponent() const {
+  constexpr int below_all = -1000000;
+  if (parts_->mantissa.is_zero()) return below_all;
+  const cpp_int size = abs(parts_->mantissa);
+  return parts_->exponent + static_cast<int>(msb(size)) + 1;
+}
+
+DoubleDouble ExactNumber::rounded(int shift) const {
   cpp_int mantissa = parts_->mantissa;
-  const double high = leading_double(mantissa, parts_->exponent);
-  const double low = leading_double(mantissa, parts_->exponent);
+  const double high = leading_double(mantissa, parts_->exponent + shift);
+  const double low = leading_double(mantissa, parts_->exponent + shift);
   return std::isfinite(high) ? two_sum(high, low) : DoubleDouble(high);
 }
 

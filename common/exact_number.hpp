@@ -25,9 +25,11 @@ class ExactNumber {
 
   /// −1, 0 or 1.
   [[nodiscard]] int sign() const;
-  /// The nearest double-double, but for an ulp of its low part: 0 or infinite outside a double's
-  /// range.
-  [[nodiscard]] DoubleDouble rounded() const;
+  /// e where the number's size is in [2^(e−1), 2^e); far below any other for zero.
+  [[nodiscard]] int exponent() const;
+  /// The number times 2^shift as the nearest double-double, but for an ulp of its low part: 0 or
+  /// infinite outside a double's range.
+  [[nodiscard]] DoubleDouble rounded(int shift = 0) const;
 
  private:
   struct Parts;

@@ -1,0 +1,70 @@
+#include <cstdlib>
+#include <new>
+
+#include "catch.hpp"
+#include "continuous_particle_cylinder.hpp"
+#include "random.hpp"
+#include "trial.hpp"
+
+using namespace lab::continuous_particle_cylinder;
+
+namespace {
+
+std::size_t allocations = 0;
+
+}  // namespace
+
+// The replacements count, for the whole program; those of the nothrow and array forms call these.
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace {
+
+const std::string step = "4.5 times_of_impact";
+
+/// The last of the particles takes the way of a 3-4-5 triangle.
+MovingParticles random_particles(tests::Random& random, std::size_t size) {
+  MovingParticles particles;
+  particles.radius = 1.0;
+  for (std::size_t i = 0; i < size; ++i) {
+    const bool last = i + 1 == size;
+    particles.y.push_back(last ? 10.0 : random.uniform(-16.0, 16.0));
+    particles.z.push_back(last ? 3.0 : random.uniform(-16.0, 16.0));
+    particles.velocity_y.push_back(last ? -2.0 : random.uniform(-3.0, 3.0));
+    particles.velocity_z.push_back(last ? 0.0 : random.uniform(-3.0, 3.0));
+  }
+  return particles;
+}
+
+double allocations_of(tests::Random& random, std::size_t size) {
+  const MovingParticles particles = random_particles(random, size);
+  const std::size_t before = allocations;
+  const std::vector<double> times = times_of_impact(particles, {4.0}, 10.0);
+  const auto count = static_cast<double>(allocations - before);
+  tests::Trial(step)
+      .given("number of particles", static_cast<double>(size))
+      .expect(static_cast<double>(times.size()), static_cast<double>(size),
+              {0.0, "one time for each particle"});
+  tests::Trial(step)
+      .given("number of particles", static_cast<double>(size))
+      .of("the last time")
+      .expect(times.back(), 3.0, {2.0 * tests::eps, "1 ulp"});
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("The allocations of a batch do not grow with it", "[4.5]") {
+  tests::Random random(453);
+  const double few = allocations_of(random, 1000);
+  const double many = allocations_of(random, 100000);
+  tests::Trial(step).expect_small(
+      "allocations of 100000 particles less those of 1000", many - few,
+      {8.0, "an array that doubles as it grows takes seven more, a particle none"},
+      "every particle allocates: a vector, a string or an ExactNumber in the loop");
+}

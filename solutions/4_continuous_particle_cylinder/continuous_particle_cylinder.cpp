@@ -117,8 +117,9 @@ template <typename Number>
   const bool hit = known & (t < (1.0 - 2.0 * eps) * dt);
   const bool late = known & (t > (1.0 + 2.0 * eps) * dt);
   const bool at_rest = (m.v_y == 0.0) & (m.v_z == 0.0);
-  const bool outside = surely_positive(c);
-  const bool missed = outside & (at_rest | surely_positive(b) | surely_negative(discriminant));
+  const bool leaves = surely_positive(b);
+  const bool passes = surely_negative(discriminant);
+  const bool missed = surely_positive(c) & (at_rest | leaves | passes);
   const double outcome = (late | missed) ? infinity : hit ? t : not_sure;
   return surely_negative(c) ? 0.0 : outcome;
 }
@@ -156,9 +157,11 @@ struct Block {
 
 void require_finite(const Block& p) {
   bool finite = true;
-  for (std::size_t i = 0; i < p.size; ++i) {
-    finite = finite & std::isfinite(p.y[i]) & std::isfinite(p.z[i]) & std::isfinite(p.v_y[i]) &
-             std::isfinite(p.v_z[i]);
+  for (const double* numbers : {p.y, p.z, p.v_y, p.v_z}) {
+    for (std::size_t i = 0; i < p.size; ++i) {
+      const bool this_one = std::isfinite(numbers[i]);
+      finite = finite & this_one;
+    }
   }
   if (!finite) throw std::invalid_argument("particles: an entry is not finite");
 }

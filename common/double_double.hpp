@@ -58,11 +58,11 @@ inline DoubleDouble operator*(DoubleDouble a, DoubleDouble b) {
   return quick_two_sum(high.high, high.low + cross);
 }
 
-/// To 15 u².
+/// To 12 u².
 inline DoubleDouble operator/(DoubleDouble a, DoubleDouble b) {
   const double first = a.high / b.high;
-  const DoubleDouble rest = a - b * DoubleDouble(first);
-  return quick_two_sum(first, rest.high / b.high);
+  const double rest = std::fma(-first, b.high, a.high) + std::fma(-first, b.low, a.low);
+  return quick_two_sum(first, rest / b.high);
 }
 
 /// To 4 u², for a ≥ 0.

@@ -45,15 +45,15 @@ class ImpactOracle {
  public:
   explicit ImpactOracle(const Query& q)
       : length_unit_(std::min({unit_of(q.y), unit_of(q.z), unit_of(q.R), unit_of(q.r)})),
-        speed_unit_(std::min(unit_of(q.v_y), unit_of(q.v_z))) {
+        moves_(q.v_y != 0.0 || q.v_z != 0.0),
+        speed_unit_(moves_ ? std::min(unit_of(q.v_y), unit_of(q.v_z)) : 0) {
     y_ = in_units(q.y, length_unit_);
     z_ = in_units(q.z, length_unit_);
     rho_ = in_units(q.R, length_unit_) + in_units(q.r, length_unit_);
-    if (moves()) {
+    if (moves_) {
       v_y_ = in_units(q.v_y, speed_unit_);
       v_z_ = in_units(q.v_z, speed_unit_);
     }
-    // t = ticks 2^(time_unit_), and a tick takes the particle 2^shift units of length at speed one.
     time_unit_ = length_unit_ - speed_unit_;
     dt_ = q.dt;
   }
@@ -61,7 +61,7 @@ class ImpactOracle {
   [[nodiscard]] std::optional<Impact> impact() const {
     const Whole c = y_ * y_ + z_ * z_ - rho_ * rho_;
     if (c <= 0) return Impact{0, false};
-    if (!moves()) return std::nullopt;
+    if (!moves_) return std::nullopt;
     const Whole a = v_y_ * v_y_ + v_z_ * v_z_;
     const Whole b = y_ * v_y_ + z_ * v_z_;
     const Whole w = y_ * v_z_ - z_ * v_y_;
@@ -72,8 +72,6 @@ class ImpactOracle {
   }
 
  private:
-  [[nodiscard]] bool moves() const { return speed_unit_ != std::numeric_limits<int>::max(); }
-
   /// Lengths times 2^(shift) and how far the particle goes, as whole numbers in one unit.
   struct End {
     Whole y, z, rho;
@@ -98,6 +96,7 @@ class ImpactOracle {
   }
 
   int length_unit_;
+  bool moves_;
   int speed_unit_;
   int time_unit_ = 0;
   double dt_ = 0.0;

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
+#include <type_traits>
 
 #include "common/double_double.hpp"
 #include "common/exact_number.hpp"
@@ -31,12 +32,13 @@ void require_valid(const MovingParticle& particle, const Cylinder& cylinder, dou
 }
 
 /// All that counts: the motion in the yz-plane, and the two radii, whose sum may not be a double.
+template <typename Number>
 struct Motion {
-  double y, z, v_y, v_z;
-  double R, r;
+  Number y, z, v_y, v_z;
+  Number R, r;
 };
 
-Motion motion(const MovingParticle& particle, const Cylinder& cylinder) {
+Motion<double> motion(const MovingParticle& particle, const Cylinder& cylinder) {
   const Vec3& x = particle.position;
   const Vec3& v = particle.velocity;
   return {x.y(), x.z(), v.y(), v.z(), cylinder.radius, particle.radius};
@@ -55,14 +57,14 @@ struct Bounded {
 constexpr double u_squared = 0x1p-106;
 constexpr double underflow = 1e-290;  ///< far above what a product loses below the least double
 
-Bounded operator+(Bounded a, Bounded b) {
+inline Bounded operator+(Bounded a, Bounded b) {
   const DoubleDouble sum = a.value + b.value;
   return {sum, a.error + b.error + 3.0 * u_squared * std::abs(sum.high)};
 }
 
-Bounded operator-(Bounded a, Bounded b) { return a + Bounded{-b.value, b.error}; }
+inline Bounded operator-(Bounded a, Bounded b) { return a + Bounded{-b.value, b.error}; }
 
-Bounded operator*(Bounded a, Bounded b) {
+inline Bounded operator*(Bounded a, Bounded b) {
   const DoubleDouble product = a.value * b.value;
   const double size_a = std::abs(a.value.high);
   const double size_b = std::abs(b.value.high);
@@ -75,23 +77,11 @@ Bounded operator*(Bounded a, Bounded b) {
 bool surely_positive(Bounded a) { return a.value.high > 2.0 * a.error; }
 bool surely_negative(Bounded a) { return a.value.high < -2.0 * a.error; }
 
-template <typename Number>
-Number sum(double a, double b) {
-  return ExactNumber(a) + ExactNumber(b);
-}
-template <>
-Bounded sum(double a, double b) {
-  return {common::two_sum(a, b), 0.0};
-}
+inline Bounded sum(double a, double b) { return {common::two_sum(a, b), 0.0}; }
+inline Bounded product(double a, double b) { return {common::two_product(a, b), underflow}; }
 
-template <typename Number>
-Number product(double a, double b) {
-  return ExactNumber(a) * ExactNumber(b);
-}
-template <>
-Bounded product(double a, double b) {
-  return {common::two_product(a, b), underflow};
-}
+ExactNumber sum(const ExactNumber& a, const ExactNumber& b) { return a + b; }
+ExactNumber product(const ExactNumber& a, const ExactNumber& b) { return a * b; }
 
 /// |x + t v|² − ρ² = a t² + 2 b t + c, and b² − a c as the cross form has it.
 template <typename Number>
@@ -99,22 +89,23 @@ struct Quadratic {
   Number a, b, c, discriminant;
 };
 
+/// In Bounded for a motion in double, in ExactNumber for one in ExactNumber.
 template <typename Number>
-[[gnu::always_inline]] inline Quadratic<Number> quadratic(Motion m) {
-  const Number rho = sum<Number>(m.R, m.r);
-  const Number rho_squared = rho * rho;
-  const Number a = product<Number>(m.v_y, m.v_y) + product<Number>(m.v_z, m.v_z);
-  const Number b = product<Number>(m.y, m.v_y) + product<Number>(m.z, m.v_z);
-  const Number c = product<Number>(m.y, m.y) + product<Number>(m.z, m.z) - rho_squared;
-  const Number w = product<Number>(m.y, m.v_z) - product<Number>(m.z, m.v_y);
-  return {a, b, c, rho_squared * a - w * w};
+[[gnu::always_inline]] inline auto quadratic(const Motion<Number>& m) {
+  const auto rho = sum(m.R, m.r);
+  const auto rho_squared = rho * rho;
+  const auto a = product(m.v_y, m.v_y) + product(m.v_z, m.v_z);
+  const auto b = product(m.y, m.v_y) + product(m.z, m.v_z);
+  const auto c = product(m.y, m.y) + product(m.z, m.z) - rho_squared;
+  const auto w = product(m.y, m.v_z) - product(m.z, m.v_y);
+  return Quadratic<std::decay_t<decltype(a)>>{a, b, c, rho_squared * a - w * w};
 }
 
 /// t* to 1 ulp, infinity where there is none, NaN where double-double is not sure. In line and
 /// without a branch, so that a compiler can do many at a time.
-[[gnu::always_inline]] inline double quick_time(Motion m, double dt) {
+[[gnu::always_inline]] inline double quick_time(const Motion<double>& m, double dt) {
   constexpr double slack = 0x1p-57;  // of the relative errors of c and of −b + √: t to 5/8 ulp
-  const auto [a, b, c, discriminant] = quadratic<Bounded>(m);
+  const auto [a, b, c, discriminant] = quadratic(m);
   const DoubleDouble root = sqrt(discriminant.value);
   const DoubleDouble divisor = root - b.value;
   const double t = (c.value / divisor).high;
@@ -126,19 +117,22 @@ template <typename Number>
   const bool hit = known & (t < (1.0 - 2.0 * eps) * dt);
   const bool late = known & (t > (1.0 + 2.0 * eps) * dt);
   const bool at_rest = (m.v_y == 0.0) & (m.v_z == 0.0);
-  const bool outside = surely_positive(c);
-  const bool missed = outside & (at_rest | surely_positive(b) | surely_negative(discriminant));
+  const bool leaves = surely_positive(b);
+  const bool passes = surely_negative(discriminant);
+  const bool missed = surely_positive(c) & (at_rest | leaves | passes);
   const double outcome = (late | missed) ? infinity : hit ? t : not_sure;
   return surely_negative(c) ? 0.0 : outcome;
 }
 
 /// t* to 1 ulp, infinity where there is none.
-double exact_time(const Motion& m, double dt) {
-  const auto [a, b, c, discriminant] = quadratic<ExactNumber>(m);
+double exact_time(const Motion<double>& m, double dt) {
+  const auto [a, b, c, discriminant] =
+      quadratic(Motion<ExactNumber>{m.y, m.z, m.v_y, m.v_z, m.R, m.r});
   if (c.sign() <= 0) return 0.0;
   if (b.sign() >= 0 || discriminant.sign() < 0) return infinity;
-  const ExactNumber half_slope = a * dt + b;  // of the quadratic, at dt
-  const bool inside_at_end = (c + dt * (b + half_slope)).sign() <= 0;
+  const ExactNumber end = dt;
+  const ExactNumber half_slope = a * end + b;  // of the quadratic, at dt
+  const bool inside_at_end = (c + end * (b + half_slope)).sign() <= 0;
   if (half_slope.sign() < 0 && !inside_at_end) return infinity;
 
   // Only the quotient need be within the range of a double: take both of its parts near one.
@@ -149,7 +143,7 @@ double exact_time(const Motion& m, double dt) {
   return std::min(std::ldexp(t, scale_c - scale), dt);
 }
 
-double certified_time(const Motion& m, double dt) {
+double certified_time(const Motion<double>& m, double dt) {
   const double t = quick_time(m, dt);
   return std::isnan(t) ? exact_time(m, dt) : t;
 }
@@ -163,9 +157,11 @@ struct Block {
 
 void require_finite(const Block& p) {
   bool finite = true;
-  for (std::size_t i = 0; i < p.size; ++i) {
-    finite = finite & std::isfinite(p.y[i]) & std::isfinite(p.z[i]) & std::isfinite(p.v_y[i]) &
-             std::isfinite(p.v_z[i]);
+  for (const double* numbers : {p.y, p.z, p.v_y, p.v_z}) {
+    for (std::size_t i = 0; i < p.size; ++i) {
+      const bool this_one = std::isfinite(numbers[i]);
+      finite = finite & this_one;
+    }
   }
   if (!finite) throw std::invalid_argument("particles: an entry is not finite");
 }

@@ -10,7 +10,7 @@ namespace common {
 /// largest relative error in units of u² = 2⁻¹⁰⁶, as long as nothing overflows and no product's
 /// last part falls below 1e-290. Joldes, Muller, Popescu 2017, ACM TOMS 44(2).
 ///
-/// No operation has a branch or stays a call, so that a compiler can do many at a time.
+/// No operation has a branch, so that a compiler can do many at a time.
 struct DoubleDouble {
   double high = 0.0;
   double low = 0.0;
@@ -21,54 +21,52 @@ struct DoubleDouble {
 };
 
 /// a + b without rounding, where |a| ≥ |b| or a = 0.
-[[gnu::always_inline]] inline DoubleDouble quick_two_sum(double a, double b) {
+inline DoubleDouble quick_two_sum(double a, double b) {
   const double sum = a + b;
   return {sum, b - (sum - a)};
 }
 
 /// a + b without rounding.
-[[gnu::always_inline]] inline DoubleDouble two_sum(double a, double b) {
+inline DoubleDouble two_sum(double a, double b) {
   const double sum = a + b;
   const double from_b = sum - a;
   return {sum, (a - (sum - from_b)) + (b - from_b)};
 }
 
 /// a b without rounding.
-[[gnu::always_inline]] inline DoubleDouble two_product(double a, double b) {
+inline DoubleDouble two_product(double a, double b) {
   const double product = a * b;
   return {product, std::fma(a, b, -product)};
 }
 
-[[gnu::always_inline]] inline DoubleDouble operator-(DoubleDouble a) { return {-a.high, -a.low}; }
+inline DoubleDouble operator-(DoubleDouble a) { return {-a.high, -a.low}; }
 
 /// To 3 u² of the sum, also where it cancels.
-[[gnu::always_inline]] inline DoubleDouble operator+(DoubleDouble a, DoubleDouble b) {
+inline DoubleDouble operator+(DoubleDouble a, DoubleDouble b) {
   const DoubleDouble high = two_sum(a.high, b.high);
   const DoubleDouble low = two_sum(a.low, b.low);
   const DoubleDouble once = quick_two_sum(high.high, high.low + low.high);
   return quick_two_sum(once.high, once.low + low.low);
 }
 
-[[gnu::always_inline]] inline DoubleDouble operator-(DoubleDouble a, DoubleDouble b) {
-  return a + (-b);
-}
+inline DoubleDouble operator-(DoubleDouble a, DoubleDouble b) { return a + (-b); }
 
 /// To 5 u².
-[[gnu::always_inline]] inline DoubleDouble operator*(DoubleDouble a, DoubleDouble b) {
+inline DoubleDouble operator*(DoubleDouble a, DoubleDouble b) {
   const DoubleDouble high = two_product(a.high, b.high);
   const double cross = std::fma(a.high, b.low, a.low * b.high);
   return quick_two_sum(high.high, high.low + cross);
 }
 
 /// To 15 u².
-[[gnu::always_inline]] inline DoubleDouble operator/(DoubleDouble a, DoubleDouble b) {
+inline DoubleDouble operator/(DoubleDouble a, DoubleDouble b) {
   const double first = a.high / b.high;
   const DoubleDouble rest = a - b * DoubleDouble(first);
   return quick_two_sum(first, rest.high / b.high);
 }
 
 /// To 4 u², for a ≥ 0.
-[[gnu::always_inline]] inline DoubleDouble sqrt(DoubleDouble a) {
+inline DoubleDouble sqrt(DoubleDouble a) {
   constexpr double least = std::numeric_limits<double>::min();  // 0 has the root 0
   const double root = std::sqrt(a.high);
   const double rest = std::fma(-root, root, a.high) + a.low;

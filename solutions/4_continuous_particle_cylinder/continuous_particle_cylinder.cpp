@@ -53,18 +53,16 @@ struct Bounded {
 };
 
 constexpr double u_squared = 0x1p-106;
-constexpr double underflow = 1e-290;  ///< above what a product loses below the least double
+constexpr double underflow = 1e-290;  ///< far above what a product loses below the least double
 
-[[gnu::always_inline]] inline Bounded operator+(Bounded a, Bounded b) {
+Bounded operator+(Bounded a, Bounded b) {
   const DoubleDouble sum = a.value + b.value;
   return {sum, a.error + b.error + 3.0 * u_squared * std::abs(sum.high)};
 }
 
-[[gnu::always_inline]] inline Bounded operator-(Bounded a, Bounded b) {
-  return a + Bounded{-b.value, b.error};
-}
+Bounded operator-(Bounded a, Bounded b) { return a + Bounded{-b.value, b.error}; }
 
-[[gnu::always_inline]] inline Bounded operator*(Bounded a, Bounded b) {
+Bounded operator*(Bounded a, Bounded b) {
   const DoubleDouble product = a.value * b.value;
   const double size_a = std::abs(a.value.high);
   const double size_b = std::abs(b.value.high);
@@ -72,20 +70,17 @@ constexpr double underflow = 1e-290;  ///< above what a product loses below the 
                        5.0 * u_squared * std::abs(product.high) + underflow};
 }
 
-/// The bounds are themselves rounded, so a sign counts from twice the bound on.
-[[gnu::always_inline]] inline bool surely_positive(Bounded a) {
-  return a.value.high > 2.0 * a.error;
-}
-[[gnu::always_inline]] inline bool surely_negative(Bounded a) {
-  return a.value.high < -2.0 * a.error;
-}
+/// The bounds are themselves rounded, so a sign is sure from twice the bound on. It never is where
+/// something overflows: NaN compares false.
+bool surely_positive(Bounded a) { return a.value.high > 2.0 * a.error; }
+bool surely_negative(Bounded a) { return a.value.high < -2.0 * a.error; }
 
 template <typename Number>
 Number sum(double a, double b) {
   return ExactNumber(a) + ExactNumber(b);
 }
 template <>
-[[gnu::always_inline]] inline Bounded sum(double a, double b) {
+Bounded sum(double a, double b) {
   return {common::two_sum(a, b), 0.0};
 }
 
@@ -94,7 +89,7 @@ Number product(double a, double b) {
   return ExactNumber(a) * ExactNumber(b);
 }
 template <>
-[[gnu::always_inline]] inline Bounded product(double a, double b) {
+Bounded product(double a, double b) {
   return {common::two_product(a, b), underflow};
 }
 
@@ -115,8 +110,8 @@ template <typename Number>
   return {a, b, c, rho_squared * a - w * w};
 }
 
-/// t* to 1 ulp, infinity where there is none, NaN where double-double is not sure. Without a
-/// branch, so that a compiler can do many at a time.
+/// t* to 1 ulp, infinity where there is none, NaN where double-double is not sure. In line and
+/// without a branch, so that a compiler can do many at a time.
 [[gnu::always_inline]] inline double quick_time(Motion m, double dt) {
   constexpr double slack = 0x1p-57;  // of the relative errors of c and of −b + √: t to 5/8 ulp
   const auto [a, b, c, discriminant] = quadratic<Bounded>(m);
@@ -148,7 +143,7 @@ double exact_time(const Motion& m, double dt) {
 
   // Only the quotient need be within the range of a double: take both of its parts near one.
   const int scale_c = c.exponent();
-  const int scale = std::max(b.exponent(), (discriminant.exponent() + 1) / 2);
+  const int scale = b.exponent();  // the root is no greater than −b
   const DoubleDouble divisor = sqrt(discriminant.rounded(-2 * scale)) - b.rounded(-scale);
   const double t = (c.rounded(-scale_c) / divisor).high;
   return std::min(std::ldexp(t, scale_c - scale), dt);

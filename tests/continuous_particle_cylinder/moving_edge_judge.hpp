@@ -29,16 +29,14 @@ inline Trial edge_trial(const EdgeCase& c, int index = 1, int count = 1) {
 }
 
 inline std::vector<std::pair<InsideReading, std::string>> misreadings() {
-  return {
-      {{.ignored = true}, "the ends alone are tried: the inside of the edge touches first"},
-      {{.line_for_edge = true},
-       "the line is taken for the edge: the foot of the perpendicular must be inside it"},
-      {{.start_missed = true},
-       "a start at which the inside touches is missed: it is an impact at 0"},
-      {{.thin = true}, "the edge's radius is forgotten in the quartic: R where R + r belongs"},
-      {{.one_velocity = true}, "both ends move with the velocity of a"},
-      {{.last = true}, "a later root is returned, not the first"},
-      {{.grazing_missed = true}, "a double root is not counted: touching in passing is an impact"}};
+  return {{{.ignored = true}, "the ends alone are tried: the inside of the edge touches first"},
+          {{.line_for_edge = true},
+           "the line is taken for the edge: the foot of the perpendicular must be inside it"},
+          {{.start_missed = true},
+           "a start at which the inside touches is missed: it is an impact at 0"},
+          {{.thin = true}, "the edge's radius is forgotten in the quartic: R where R + r belongs"},
+          {{.one_velocity = true}, "both ends move with the velocity of a"},
+          {{.last = true}, "a later root is returned, not the first"}};
 }
 
 inline std::vector<Suspect<Time>> suspects_of_edge(const EdgeTruth& truth) {
@@ -48,6 +46,20 @@ inline std::vector<Suspect<Time>> suspects_of_edge(const EdgeTruth& truth) {
   return suspects;
 }
 
+/// Whether the answer is right about the same edge on a cylinder that is a little thicker, with a
+/// little more time: there a touch is no matter of the last bits.
+inline bool is_right_beside(EdgeCase c) {
+  c.R *= 1.001;
+  c.dt *= 1.001;
+  return difference(edge_time(c), EdgeTruth(c).time()) <= 1e-9 * c.dt;
+}
+
+inline std::vector<Suspect<Time>> suspects_of_edge(const EdgeTruth& truth, const EdgeCase& c) {
+  if (!is_right_beside(c)) return suspects_of_edge(truth);
+  return {{truth.time({.ignored = true}),
+           "a touch is not counted: an edge that comes no nearer than rho has an impact, too"}};
+}
+
 /// Requires hit or miss as in exact arithmetic, and the time to 1e-14 of dt.
 inline void expect_edge(const Trial& trial, const Time& got, const EdgeCase& c) {
   const EdgeTruth truth(c);
@@ -55,7 +67,7 @@ inline void expect_edge(const Trial& trial, const Time& got, const EdgeCase& c) 
   const double bound = 1e-14 * c.dt;
   const bool right = difference(got, wanted) <= bound;
   trial.expect(got, wanted, {bound, "1e-14 of dt, as the contract says"},
-               right ? std::vector<Suspect<Time>>{} : suspects_of_edge(truth));
+               right ? std::vector<Suspect<Time>>{} : suspects_of_edge(truth, c));
 }
 
 /// On so many edges of a set.

@@ -13,13 +13,12 @@ namespace tests {
 
 /// What of the edge's inside a wrong answer leaves out or takes for another.
 struct InsideReading {
-  bool ignored = false;         ///< only the ends touch
-  bool line_for_edge = false;   ///< wherever the foot of the perpendicular is
-  bool start_missed = false;    ///< only a touch that begins counts
-  bool thin = false;            ///< R where R + r belongs
-  bool one_velocity = false;    ///< that of a for b, too
-  bool last = false;            ///< the last beginning of a touch, not the first
-  bool grazing_missed = false;  ///< only where the line comes below ρ
+  bool ignored = false;        ///< only the ends touch
+  bool line_for_edge = false;  ///< wherever the foot of the perpendicular is
+  bool start_missed = false;   ///< only a root of the quartic counts
+  bool thin = false;           ///< R where R + r belongs
+  bool one_velocity = false;   ///< that of a for b, too
+  bool last = false;           ///< the last root at which the foot is inside, not the first
 };
 
 /// When a moving edge touches, over τ = t / dt in [0, 1] and in lengths that are whole numbers.
@@ -95,13 +94,10 @@ inline std::optional<double> EdgeTruth::inside_touch(const InsideReading& readin
   const bool foot_at_start = sign_at(p_d, {0, 0}) < 0 && sign_at(q_d, {0, 0}) > 0;
   if (!reading.start_missed && foot_at_start && sign_at(f, {0, 0}) <= 0) return 0.0;
 
-  const bool begins_only = reading.start_missed || reading.last || reading.line_for_edge;
   const Roots roots(f);
-  const Roots repeated(common_divisor(f, derivative(f)));
   std::optional<double> last;
   for (Cell cell : cells_of(roots)) {
-    if (reading.grazing_missed && repeated.count(cell.from(), cell.to()) > 0) continue;
-    if (begins_only && sign_at(f, cell.from()) <= 0) continue;
+    if (reading.line_for_edge && sign_at(f, cell.from()) <= 0) continue;
     if (!reading.line_for_edge &&
         (sign_at_root(f, roots, cell, p_d) >= 0 || sign_at_root(f, roots, cell, q_d) <= 0)) {
       continue;

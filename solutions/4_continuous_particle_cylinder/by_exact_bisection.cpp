@@ -9,7 +9,7 @@
 
 #include "common/double_double.hpp"
 #include "common/exact_number.hpp"
-#include "common/not_implemented.hpp"
+#include "common/exact_roots.hpp"
 #include "common/require.hpp"
 #include "continuous_particle_cylinder.hpp"
 
@@ -275,9 +275,74 @@ std::vector<double> times_of_impact(const MovingParticles& particles, const Cyli
   return times;
 }
 
-std::optional<double> time_of_impact_of_edge(const MovingEdge& /*edge*/,
-                                             const Cylinder& /*cylinder*/, double /*dt*/) {
-  throw common::NotImplemented("4.6 time_of_impact_of_edge");
+}  // namespace lab::continuous_particle_cylinder
+
+// ---- Step 4.6 ----
+
+namespace lab::continuous_particle_cylinder {
+namespace {
+
+using common::ExactNumber;
+using common::ExactPolynomial;
+
+/// 1, t: what a coordinate of an end is, without rounding.
+ExactPolynomial path(double x, double v) { return {x, v}; }
+
+ExactPolynomial operator+(const ExactPolynomial& a, const ExactPolynomial& b) {
+  return a - (ExactPolynomial{} - b);
+}
+
+/// What is known of the edge's inside: its line meets the disc where `line` ≤ 0, and the foot of
+/// the perpendicular is inside where `foot` > 0.
+struct InsidePolynomials {
+  ExactPolynomial line, foot;
+};
+
+InsidePolynomials inside_polynomials(const MovingEdge& edge, const Cylinder& cylinder) {
+  const ExactPolynomial p_y = path(edge.a.y(), edge.velocity_a.y());
+  const ExactPolynomial p_z = path(edge.a.z(), edge.velocity_a.z());
+  const ExactPolynomial q_y = path(edge.b.y(), edge.velocity_b.y());
+  const ExactPolynomial q_z = path(edge.b.z(), edge.velocity_b.z());
+  const ExactPolynomial rho{ExactNumber(cylinder.radius) + ExactNumber(edge.radius)};
+  const ExactPolynomial p_p = p_y * p_y + p_z * p_z;
+  const ExactPolynomial p_q = p_y * q_y + p_z * q_z;
+  const ExactPolynomial q_q = q_y * q_y + q_z * q_z;
+  // Lagrange's identity: (p × q)² = p² q² − (p · q)².
+  const ExactPolynomial line = p_p * q_q - p_q * p_q - rho * rho * (p_p + q_q - (p_q + p_q));
+  return {line, (p_p - p_q) * (q_q - p_q)};
+}
+
+/// All by counting: is there a touch up to a time? Then halve the time.
+std::optional<double> first_touch_by_counting(const InsidePolynomials& inside, double dt) {
+  const common::ExactRoots touches(inside.line, inside.foot);
+  if (touches.count(0.0, dt) == 0) return std::nullopt;
+  double before = 0.0;
+  double after = dt;
+  while (after - before > 1e-15 * dt) {
+    const double middle = before + 0.5 * (after - before);
+    if (middle == before || middle == after) break;
+    (touches.count(0.0, middle) > 0 ? after : before) = middle;
+  }
+  return after;
+}
+
+}  // namespace
+
+std::optional<double> time_of_impact_of_edge(const MovingEdge& edge, const Cylinder& cylinder,
+                                             double dt) {
+  const auto time_of_end = [&](const Vec3& x, const Vec3& v) {
+    return time_of_impact_certified({x, v, edge.radius}, cylinder, dt)
+        .value_or(std::numeric_limits<double>::infinity());
+  };
+  const double end =
+      std::min(time_of_end(edge.a, edge.velocity_a), time_of_end(edge.b, edge.velocity_b));
+  const InsidePolynomials inside = inside_polynomials(edge, cylinder);
+  if (end == 0.0 || (inside.line[0].sign() <= 0 && inside.foot[0].sign() > 0)) return 0.0;
+
+  // Just before an end touches, the foot is inside or not for certain.
+  const auto touch = first_touch_by_counting(inside, std::min(end * (1.0 - 1e-15), dt));
+  if (touch) return touch;
+  return end <= dt ? std::optional(end) : std::nullopt;
 }
 
 }  // namespace lab::continuous_particle_cylinder

@@ -83,7 +83,9 @@ TriangleGap triangle_gap(const Vec3& a, const Vec3& b, const Vec3& c, double par
   //    triangles that the axis makes with each edge.
   // 2. None of another sign and not all zero: the axis goes through, the areas' shares are the
   //    weights. Mind products of numbers of 1e200: scale all by one power of two.
-  // 3. Else the least of the three edges, an edge's fraction as weights of its ends.
+  // 3. In a sliver an area may be all rounding, and so may its sign: take a b - c d by std::fma, or
+  //    call an area of that size none.
+  // 4. Else the least of the three edges, an edge's fraction as weights of its ends.
   throw common::NotImplemented("3.5 triangle_gap");
 }
 

@@ -118,7 +118,7 @@ add_mutant(${lab} cross_form_root_against_dt 4.2
 
 # A sum of two doubles is believed to be one.
 add_mutant(${lab} certified_rounded_radius 4.3
-  "sum<Number>(m.R, m.r)" "sum<Number>(m.R + m.r, 0.0)" "R + r is rounded")
+  "cylinder.radius, particle.radius};" "cylinder.radius + particle.radius, 0.0};" "R + r is rounded")
 
 # More digits are believed to be enough, without a bound of their error.
 add_mutant(${lab} certified_without_bound 4.3
@@ -138,7 +138,7 @@ add_mutant(${lab} certified_tangent_missed 4.3
 
 # The step is taken to end just before dt.
 add_mutant(${lab} certified_without_arrival_at_dt 4.3
-  "(c + dt * (b + half_slope)).sign() <= 0" "(c + dt * (b + half_slope)).sign() < 0"
+  "(c + end * (b + half_slope)).sign() <= 0" "(c + end * (b + half_slope)).sign() < 0"
   "arrival at dt")
 
 # The gap is a length, the step a time.

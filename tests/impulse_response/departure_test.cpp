@@ -35,10 +35,8 @@ Departure slide(double dt) {
     angle = angle_next;
     push = push_next;
     departure.free = angle;
-    if (particle.position.squaredNorm() > 1.0 + 1e-15 && push == 0.0 && time > 2.0 * dt &&
-        std::hypot(particle.position.y(), particle.position.z()) - 1.0 > 4.0 * tests::eps) {
-      break;
-    }
+    const double distance = std::hypot(particle.position.y(), particle.position.z());
+    if (push == 0.0 && distance - 1.0 > 4.0 * tests::eps) break;
   }
   return departure;
 }

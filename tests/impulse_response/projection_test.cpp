@@ -47,7 +47,8 @@ StepInput random_input(tests::Random& random, int index, double height) {
   }
   const Vec3 out = outward_normal(in.obstacle, in.particle.position);
   in.particle.mass = random.uniform(1.5, 4.0);
-  in.particle.velocity = random.vector(0.8) - random.uniform(1.0, 2.0) * out;
+  in.particle.velocity = random.vector(0.8);
+  in.particle.velocity -= random.uniform(1.0, 2.0) * out;
   in.material = {random.uniform(0.1, 0.9), random.uniform(0.1, 0.6)};
   in.gravity = random.vector(4.0) - 2.0 * out;
   in.dt = random.uniform(0.05, 0.2);

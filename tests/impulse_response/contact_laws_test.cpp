@@ -134,7 +134,7 @@ TEST_CASE("Without friction the energy lost is what restitution says", "[6.5]") 
   // K n j_n is the change of u: the loss is (1 − e²) u_n² / (2 n·K n), none where e = 1.
   tests::Random random(696);
   for (int i = 1; i <= 40; ++i) {
-    ContactInput in = tests::random_contact(random, i);
+    ContactInput in = tests::random_contact(random, 2);  // none of them immovable
     in.material = {i % 3 * 0.5, 0.0};
     const VecL n = wide(in.contact.normal);
     const VecL u = tests::approach(in.a, in.b, in.contact.point);

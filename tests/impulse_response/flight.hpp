@@ -53,9 +53,8 @@ inline FlightValue impact_step(StepInput in, int max_impacts, FlightFlaw flaw = 
   while (bounces) {
     const auto [phi, n] = surface_at(in.obstacle, wide(p.position));
     if (phi <= 0 && n.dot(wide(p.velocity)) <= 0) break;
-    const bool again = flaw == FlightFlaw::flies_the_whole_step;
     const common::Flight flight{p.position, p.velocity, in.gravity};
-    const double left = again ? dt : dt - time;
+    const double left = dt - time;
     const auto hit = time_of_impact(in.obstacle, flight, left);
     const bool at_the_end = flaw == FlightFlaw::acts_at_the_end;
     const Real t = wide(hit && !at_the_end ? *hit : left);
@@ -74,7 +73,7 @@ inline FlightValue impact_step(StepInput in, int max_impacts, FlightFlaw flaw = 
       p.velocity = narrow(wide(p.velocity) + j / wide(p.mass));
       impulses += j;
       ++value.impacts;
-      time += *hit;
+      if (flaw != FlightFlaw::flies_the_whole_step) time += *hit;
     }
     if (!hit || at_the_end || flaw == FlightFlaw::drops_the_rest) {
       value.step = {p.position, p.velocity, narrow(impulses)};

@@ -105,12 +105,7 @@ TEST_CASE("The normal speed is left alone and no friction leaves the cone", "[6.
                             .given("normal_impulse", c.normal_impulse)
                             .given("friction", c.friction);
     trial.expect_small("|n.j_t|", std::abs(c.normal.dot(j)), rounding(c));
-    trial.expect_small("|j_t| - mu j_n", j.norm() - c.friction * c.normal_impulse, rounding(c),
-                       c.friction * c.normal_impulse < 0.9 * j.norm() &&
-                               std::abs(j.norm() - c.mass * static_cast<double>(slip(c).norm())) <
-                                   rounding(c).value
-                           ? "friction stops all slip: it may not leave the cone mu j_n"
-                           : "");
+    trial.expect_small("|j_t| - mu j_n", j.norm() - c.friction * c.normal_impulse, rounding(c));
   }
 }
 

@@ -128,7 +128,7 @@ TEST_CASE("What touches and parts flies until it comes back", "[6.4]") {
   tests::expect_impact_step(in, 9, 3, 3);
 }
 
-TEST_CASE("Impulses push outwards and stay in the cone and no step ends inside", "[6.4]") {
+TEST_CASE("Impacts come in order of time within the step and it ends outside", "[6.4]") {
   tests::Random random(665);
   for (int i = 1; i <= 40; ++i) {
     const StepInput in = random_input(random, i);

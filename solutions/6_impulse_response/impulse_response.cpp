@@ -81,7 +81,7 @@ ProjectedStep projected(Particle particle, const Obstacle& obstacle, const Mater
 
   const Vec3 n = common::outward_normal(obstacle, particle.position);
   const Vec3 impulse = particle_impulse(particle, n, material);
-  particle.velocity += impulse / particle.mass;
+  particle.velocity += 1.0 / particle.mass * impulse;
   if (corrections.normal) particle.position += -phi * n;
   if (corrections.tangential) particle.position += against_slip(d, n, -phi, material.friction);
   return {particle, impulse};

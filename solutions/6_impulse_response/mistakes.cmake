@@ -118,9 +118,9 @@ add_mutant(${lab} normal_of_the_start 6.4
 
 # All of the repair is put behind the question whether it approaches.
 add_mutant(${lab} repairs_only_impacts 6.4
-  "particle.velocity += impulse / particle.mass;"
+  "particle.velocity += 1.0 / particle.mass * impulse;"
   "if (impulse.norm() == 0.0) return {particle, impulse};
-  particle.velocity += impulse / particle.mass;" "only where there is an impulse")
+  particle.velocity += 1.0 / particle.mass * impulse;" "only where there is an impulse")
 
 # The gap is negative inside, so moving out by phi moves in.
 add_mutant(${lab} step_pushed_inwards 6.4
@@ -128,7 +128,7 @@ add_mutant(${lab} step_pushed_inwards 6.4
 
 # An impulse is taken for a change of velocity.
 add_mutant(${lab} impulse_for_velocity 6.4
-  "particle.velocity += impulse / particle.mass;" "particle.velocity += impulse;" "without 1/m")
+  "particle.velocity += 1.0 / particle.mass * impulse;" "particle.velocity += impulse;" "without 1/m")
 
 # Artificial sliding is undone together with the real one.
 add_mutant(${lab} step_without_clamp 6.4

@@ -148,7 +148,7 @@ inline ContactOutcome contact_outcome(const ContactInput& in, BodyFlaw flaw = Bo
   const VecL wanted = -(1 + e) * u_n * n - tangential(u, n);
   const VecL stick = K_inverse * wanted;
   const VecL stick_t = tangential(stick, n);
-  const Real speed = in.a.velocity.norm() + in.b.velocity.norm() +
+  const Real speed = wide(in.a.velocity.norm() + in.b.velocity.norm()) +
                      wide(in.a.angular_velocity.norm()) * lever(in.a, in.contact.point).norm() +
                      wide(in.b.angular_velocity.norm()) * lever(in.b, in.contact.point).norm();
   const Real condition = K.norm() * K_inverse.norm() * (1 + speed / wanted.norm());

@@ -14,8 +14,8 @@ const double exact_cos = 2.0 / 3.0 + top_speed * top_speed / (3.0 * g);
 const double exact_angle = std::acos(exact_cos);
 
 struct Departure {
-  double last_push = NAN;  ///< angle at which the impulse falls to zero
-  double free = NAN;       ///< angle at which a step ends outside
+  double last_push = 0.0;  ///< angle at which the impulse falls to zero
+  double free = 0.0;       ///< angle at which a step ends outside
 };
 
 Departure slide(double dt) {
@@ -29,7 +29,7 @@ Departure slide(double dt) {
     particle = step.particle;
     const double angle_next = std::atan2(particle.position.y(), particle.position.z());
     const double push_next = step.impulse.norm();
-    if (push_next > 0.0) {  // the impulse's line through the last two meets zero here
+    if (push_next != 0.0) {  // the impulse's line through the last two meets zero here
       departure.last_push = angle_next + (angle_next - angle) * push_next / (push - push_next);
     }
     angle = angle_next;

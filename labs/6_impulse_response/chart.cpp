@@ -71,11 +71,12 @@ auto by_impacts(int max_impacts) {
 // Letting go.
 
 constexpr double radius = 1.0;
-constexpr double start_angle = 0.1;  // from the top [rad]
+constexpr double first_start = 0.1;  // from the top [rad]
+constexpr int starts = 8;            // evenly, so that no luck of the last step shows
 constexpr double start_speed = 1.0;
 
 /// ½ v² = ½ v₀² + g R (cos θ₀ − cos θ), and it leaves where v² = g R cos θ.
-double exact_departure() {
+double exact_departure(double start_angle) {
   return std::acos(2.0 / 3.0 * std::cos(start_angle) +
                    start_speed * start_speed / (3.0 * weight * radius));
 }
@@ -88,39 +89,49 @@ enum class Departure { last_contact, last_impulse };
 
 /// Slides without friction until it is outside for good.
 template <typename Advance>
+Outcome slide(const Advance& advance, Departure departure, double start_angle, double dt) {
+  const Obstacle cylinder = common::Cylinder{radius};
+  const Vec3 outward(0.0, std::sin(start_angle), std::cos(start_angle));
+  const Vec3 along(0.0, std::cos(start_angle), -std::sin(start_angle));
+  Particle particle{1.0, radius * outward, start_speed * along};
+  double angle = start_angle;
+  Outcome outcome;
+  while (angle_of(particle) < 0.5 * std::numbers::pi && outcome.steps * dt < 2.0) {
+    const Step step = advance(particle, cylinder, {0.0, 0.0}, dt);
+    particle = step.particle;
+    ++outcome.steps;
+    constexpr double rounding = 1e-14;
+    const bool touches = common::gap(cylinder, particle.position) < rounding;
+    const bool holds = departure == Departure::last_contact ? touches : step.pushed;
+    if (!touches || (!holds && angle > 2.0 * first_start)) break;
+    if (holds) angle = angle_of(particle);
+  }
+  outcome.error = std::abs(angle - exact_departure(start_angle));
+  return outcome;
+}
+
+/// The largest error of all starts.
+template <typename Advance>
 auto letting_go(const Advance& advance, Departure departure) {
   return [=](double dt) {
-    const Obstacle cylinder = common::Cylinder{radius};
-    const Vec3 outward(0.0, std::sin(start_angle), std::cos(start_angle));
-    const Vec3 along(0.0, std::cos(start_angle), -std::sin(start_angle));
-    Particle particle{1.0, radius * outward, start_speed * along};
-    double angle = start_angle;
-    Outcome outcome;
-    while (angle_of(particle) < 0.5 * std::numbers::pi && particle.position.z() > -radius) {
-      const Step step = advance(particle, cylinder, {0.0, 0.0}, dt);
-      particle = step.particle;
-      ++outcome.steps;
-      constexpr double rounding = 1e-14;
-      const bool touches = common::gap(cylinder, particle.position) < rounding;
-      if (!touches && departure == Departure::last_contact) break;
-      if (departure == Departure::last_contact || step.pushed) angle = angle_of(particle);
-      if (departure == Departure::last_impulse && !step.pushed && angle > 2 * start_angle) break;
+    Outcome all;
+    for (int i = 0; i < starts; ++i) {
+      const Outcome one = slide(advance, departure, first_start + 0.01 * i / starts, dt);
+      all.error = std::max(all.error, one.error);
+      all.steps += one.steps;
     }
-    outcome.error = std::abs(angle - exact_departure());
-    return outcome;
+    return all;
   };
 }
 
 render::MeasuredChart departure_chart() {
   render::Chart words;
   words.title = "Letting go of a cylinder: error against computing time";
-  words.subtitle =
-      "no friction, from 0.1 rad off the top at 1 m/s; 16 to 65536 steps a second; dashed: the "
-      "order in theory";
+  words.subtitle = "x";
   words.lab = "6_impulse_response";
   words.error_name = "error of the angle of departure";
   words.error_unit = "rad";
-  words.work_unit = "slide";
+  words.work_unit = "eight slides";
   words.parameter_name = "steps a second";
   const std::vector<double> ladder = powers_of_two(16, 65536, 2);
   const auto option_2 = by_projection({true, true});
@@ -130,7 +141,7 @@ render::MeasuredChart departure_chart() {
                   letting_go(option_2, Departure::last_contact)),
            method("option 2, last impulse", 1.0, palette::orange, ladder, HUGE_VAL,
                   letting_go(option_2, Departure::last_impulse)),
-           method("the same, no normal correction", 1.0, palette::purple, ladder, HUGE_VAL,
+           method("last impulse, no normal correction", 1.0, palette::purple, ladder, HUGE_VAL,
                   letting_go(sinking, Departure::last_impulse)),
            method("option 1, last contact", 1.0, palette::green, ladder, HUGE_VAL,
                   letting_go(by_impacts(8), Departure::last_contact))}};
@@ -186,8 +197,8 @@ render::MeasuredChart bounces_chart() {
   words.name = "bounces";
   words.title = "Ten bounces: error of their times against computing time";
   words.subtitle =
-      "a ball dropped from 1 m, e = 0.8; option 2: 16 to 65536 steps a second, option 1: from one "
-      "step in 4 s";
+      "a ball dropped from 1 m, e = 0.8; cap: impacts a step before option 2 takes over; dashed: "
+      "theory";
   words.lab = "6_impulse_response";
   words.error_name = "largest error of ten bounce times";
   words.error_unit = "s";
@@ -242,14 +253,13 @@ render::MeasuredChart incline_chart() {
   words.name = "incline";
   words.title = "A particle on a slope: error against computing time";
   words.subtitle =
-      "μ = 0.5, a second from rest; tan θ = 0.9 μ, where it must rest, and 1.1 μ, where it slides; "
-      "dashed: the order in theory";
+      "μ = 0.5, a second from rest. tan θ = 0.9 μ: must rest; 1.1 μ: slides. At the foot: 0. "
+      "Dashed: theory";
   words.lab = "6_impulse_response";
   words.error_name = "error of the distance slid";
   words.error_unit = "m";
-  words.work_unit = "second";
+  words.work_unit = "simulated second";
   words.parameter_name = "steps a second";
-  words.rounding_floor = 2.2e-16;
   const std::vector<double> ladder = powers_of_two(16, 65536, 4);
   const auto option_2 = by_projection({true, true});
   const auto creeping = by_projection({true, false});
@@ -258,9 +268,9 @@ render::MeasuredChart incline_chart() {
   const double slides = 1.1 * friction;
   return {
       words,
-      {method("rests: option 2, no tangential correction", 1.0, palette::vermilion, ladder,
-              HUGE_VAL, sliding(creeping, rests)),
-       method("slides: option 2, no tangential correction", 1.0, palette::orange, ladder, HUGE_VAL,
+      {method("rests: option 2, not corrected", 1.0, palette::vermilion, ladder, HUGE_VAL,
+              sliding(creeping, rests)),
+       method("slides: option 2, not corrected", 1.0, palette::orange, ladder, HUGE_VAL,
               sliding(creeping, slides)),
        method("slides: option 2", 1.0, palette::purple, ladder, HUGE_VAL,
               sliding(option_2, slides)),

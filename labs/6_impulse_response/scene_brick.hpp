@@ -163,7 +163,7 @@ inline BrickFlight brick_start() {
   const common::Quat leaning = common::Quat(Eigen::AngleAxisd(-0.5, Vec3::UnitY())) *
                                common::Quat(Eigen::AngleAxisd(0.25, Vec3::UnitX()));
   RigidBody body;
-  body.position = {1.75, -0.12, 2.75};
+  body.position = {1.75, -0.15, 2.45};
   body.velocity = {0.0, 0.0, 0.0};
   return flight_of(0.0, body, leaning.toRotationMatrix());
 }

@@ -36,9 +36,8 @@ struct Grain {
 /// The particles through the whole film.
 struct Pour {
   std::vector<std::vector<Grain>> frames;
-  long steps = 0;                ///< of single particles
-  double deepest = 0.0;          ///< by which a particle is inside at a step's end [m]
-  double largest_impulse = 0.0;  ///< [N s]
+  long steps = 0;        ///< of single particles
+  double deepest = 0.0;  ///< by which a particle is inside at a step's end [m]
 };
 
 /// In the order of their release.
@@ -51,7 +50,7 @@ inline std::vector<Particle> poured_particles() {
   for (int i = 0; i < particle_count; ++i) {
     Particle particle;
     particle.mass = particle_mass;
-    particle.position = {from_to(-2.9, -0.5), from_to(-0.95, 0.95), 2.6};
+    particle.position = {from_to(-2.9, -0.5), from_to(-0.95, 0.95), 2.3};
     particle.velocity = {0.0, 0.0, from_to(-1.5, 0.0)};
     particles.push_back(particle);
   }
@@ -71,7 +70,6 @@ inline void step(Particle& particle, Grain& grain, Pour& pour) {
   particle = next.particle;
   grain.impulse = std::max(grain.impulse, next.impulse.norm());
   pour.deepest = std::max(pour.deepest, -common::gap(obstacle, particle.position));
-  pour.largest_impulse = std::max(pour.largest_impulse, grain.impulse);
   ++pour.steps;
 }
 

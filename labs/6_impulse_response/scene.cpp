@@ -16,7 +16,7 @@ namespace {
 constexpr double grain_radius = 0.042;
 constexpr double slides = 0.3 * particle_mass;  // no impact is weaker, no step of sliding as hard
 constexpr double hits_hard = 3.0 * particle_mass;
-constexpr std::size_t simulated_for_one_drawn = 3;
+constexpr std::size_t simulated_for_one_drawn = 5;
 constexpr double foot = -1.5;
 
 void add_cylinder(render::Scene& scene) {
@@ -66,7 +66,7 @@ void add_grains(render::Scene& scene, const Pour& pour, std::size_t frame) {
   }
 }
 
-/// The brick, paler poses every 0.4 s, its path, and the hard impulses so far.
+/// The brick, paler poses every 0.4 s, its path, and the hard impulses of the cylinder so far.
 void add_brick(render::Scene& scene, const Tumble& tumble, std::size_t frame) {
   const auto add_pose = [&](const BrickPose& pose, float paleness) {
     scene.boxes.push_back({{pose.position, pose.attitude},
@@ -84,7 +84,8 @@ void add_brick(render::Scene& scene, const Tumble& tumble, std::size_t frame) {
   constexpr double least_drawn = 1.0;  // [N s]
   for (const BrickImpact& impact : tumble.impacts) {
     const double size = impact.impulse.norm();
-    if (impact.time > static_cast<double>(frame) * frame_time || size < least_drawn) continue;
+    const bool is_past = impact.time <= static_cast<double>(frame) * frame_time;
+    if (!is_past || !impact.on_cylinder || size < least_drawn) continue;
     scene.contacts.push_back(
         {impact.contact.point, impact.impulse / size, 0.22 * size, palette::purple});
   }
@@ -95,7 +96,7 @@ std::string measured(const std::optional<Pour>& pour, const std::optional<Tumble
   char line[200];
   if (pour) {
     std::snprintf(line, sizeof line,
-                  "%.1f million particle-steps, none ends deeper inside than %.0e m",
+                  "%.1f million particle-steps, deepest end of one %.0e m inside",
                   1e-6 * static_cast<double>(pour->steps), pour->deepest);
     text += line;
   }
@@ -116,7 +117,7 @@ render::Film make_film() {
   film.subtitle =
       "grey flies, blue rests or slides, orange and red are hits; purple: the brick's impulse";
   film.parameters =
-      "10,000 particles, a third drawn; R = 1 m, e = 0.4, μ = 0.5, dt = 4 ms; brick 2 kg, e = 0.4, "
+      "10,000 particles, a fifth drawn; R = 1 m, e = 0.4, μ = 0.5, dt = 4 ms; brick 2 kg, e = 0.4, "
       "μ = 0.3";
   film.duration = duration;
   film.strip_times = {0.6, 1.2, 2.0, 3.2};

@@ -5,6 +5,8 @@
 //   common/require.hpp        checks of arguments that throw std::invalid_argument
 //   common/double_double.hpp  sums and products of doubles without rounding, and 106-bit numbers
 //   common/exact_number.hpp   numbers that are never rounded, for the few decisions that need them
+//   common/bernstein.hpp      polynomials over an interval, halved without loss
+//   common/exact_roots.hpp    how many roots a polynomial has, counted without rounding
 #include "continuous_particle_cylinder.hpp"
 
 #include "common/not_implemented.hpp"
@@ -94,7 +96,8 @@ std::optional<double> time_of_impact_of_edge(const MovingEdge& edge, const Cylin
   // 1. The ends are particles: step 4.3.
   // 2. The inside touches where the line through the ends is ρ from the axis: a quartic in t.
   // 3. Of its roots the first counts at which the nearest point of the line is on the edge.
-  // 4. A root must not be missed because two are close: bound the quartic from below.
+  // 4. A root must not be missed because two are close: halve the step until the signs of the
+  //    quartic's coefficients in Bernstein's form tell, and count exactly where they cannot.
   throw common::NotImplemented("4.6 time_of_impact_of_edge");
 }
 

@@ -96,7 +96,7 @@ std::string measured(const std::optional<Pour>& pour, const std::optional<Tumble
   char line[200];
   if (pour) {
     std::snprintf(line, sizeof line,
-                  "%.1f million particle-steps, deepest end of one %.0e m inside",
+                  "%.1f million particle-steps, none ends more than %.1g m inside",
                   1e-6 * static_cast<double>(pour->steps), pour->deepest);
     text += line;
   }

@@ -16,7 +16,7 @@ namespace {
 constexpr double grain_radius = 0.042;
 constexpr double slides = 0.3 * particle_mass;  // no impact is weaker, no step of sliding as hard
 constexpr double hits_hard = 3.0 * particle_mass;
-constexpr std::size_t simulated_for_one_drawn = 5;
+constexpr std::size_t simulated_for_one_drawn = 6;
 constexpr double foot = -1.5;
 
 void add_cylinder(render::Scene& scene) {
@@ -117,7 +117,7 @@ render::Film make_film() {
   film.subtitle =
       "grey flies, blue rests or slides, orange and red are hits; purple: the brick's impulse";
   film.parameters =
-      "10,000 particles, a fifth drawn; R = 1 m, e = 0.4, μ = 0.5, dt = 4 ms; brick 2 kg, e = 0.4, "
+      "10,000 particles, a sixth drawn; R = 1 m, e = 0.4, μ = 0.5, dt = 4 ms; brick 2 kg, e = 0.4, "
       "μ = 0.3";
   film.duration = duration;
   film.strip_times = {0.6, 1.2, 2.0, 3.2};

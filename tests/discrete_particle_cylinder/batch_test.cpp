@@ -212,10 +212,15 @@ TEST_CASE("A batch is asked of finite positions and of radii above zero only", "
   tests::expect_radii_checked("3.3 particles_in_contact", [&](double r, const Cylinder& c) {
     return IndexList{particles_in_contact(good, r, c)};
   });
-  tests::expect_position_checked(
-      "3.3 particles_in_contact", "positions.back()", [&](const Vec3& bad) {
-        std::vector<Vec3> positions = good;
-        positions.push_back(bad);
-        return IndexList{particles_in_contact(positions, 0.5, Cylinder{1.0})};
-      });
+  tests::expect_radii_checked("3.3 particles_in_contact", [&](double r, const Cylinder& c) {
+    return IndexList{particles_in_contact({}, r, c)};
+  });
+  for (const char* place : {"positions[0]", "positions[1]", "positions[2]"}) {
+    const auto offset = place[std::string("positions[").size()] - '0';
+    tests::expect_position_checked("3.3 particles_in_contact", place, [&](const Vec3& bad) {
+      std::vector<Vec3> positions = good;
+      positions.insert(positions.begin() + offset, bad);
+      return IndexList{particles_in_contact(positions, 0.5, Cylinder{1.0})};
+    });
+  }
 }

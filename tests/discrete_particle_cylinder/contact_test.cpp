@@ -57,7 +57,7 @@ TEST_CASE("Where the surfaces are apart there is no contact", "[3.2]") {
   tests::Random random(322);
   for (int i = 1; i <= 50; ++i) {
     // The same particle a little inside, so that an answer without contacts does not pass.
-    const double share = std::pow(10.0, 1.0 - 0.25 * i);
+    const double share = std::pow(10.0, 1.0 - 0.28 * i);
     const Meeting apart = tests::random_meeting(random, 1.0 + share);
     contact_trial(apart, i, 50)
         .expect(Presence{contact_of(apart)}, Presence{}, {0.0, "the gap is above zero"},
@@ -121,10 +121,13 @@ TEST_CASE("A contact is asked of finite numbers and of radii above zero only", "
   tests::expect_position_checked("3.2 contact", "position", [](const Vec3& bad) {
     return Presence{contact(bad, 0.5, Cylinder{1.0}, 0.0)};
   });
-  for (const double bad : {tests::nan, tests::infinity}) {
-    tests::Trial("3.2 contact")
-        .given("time", bad)
-        .expect_throw([&] { return Presence{contact(p, 0.5, Cylinder{1.0}, bad)}; },
-                      "the time must be finite", story::unchecked);
+  for (const double bad : {tests::nan, tests::infinity, -tests::infinity}) {
+    for (const double R : {1.0, 0.01}) {  // in contact and apart
+      tests::Trial("3.2 contact")
+          .given("time", bad)
+          .given("cylinder.radius", R)
+          .expect_throw([&] { return Presence{contact(p, 0.25, Cylinder{R}, bad)}; },
+                        "the time must be finite", story::unchecked);
+    }
   }
 }

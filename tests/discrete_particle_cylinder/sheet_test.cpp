@@ -105,16 +105,36 @@ TEST_CASE("A particle of a sheet that only touches is in contact", "[3.6]") {
               {0.0, "their gap is zero, exactly"}, {{tests::IndexList{}, story::touching}});
 }
 
+TEST_CASE("An edge or a triangle of a sheet that only touches is in contact", "[3.6]") {
+  // Five from the axis at its middle, which no arithmetic rounds; the ends are further off.
+  Sheet sheet = one_triangle({Vec3(1.0, 5.0, -1.0), Vec3(2.0, 5.0, 1.0), Vec3(0.0, 8.0, 0.0)}, 1.0);
+  const Cylinder cylinder{4.0};
+  const SheetContacts got = sheet_contacts(sheet, cylinder);
+  tests::sheet_trial(sheet, cylinder)
+      .of("the edges")
+      .expect(tests::IndexList{got.edges}, tests::IndexList{{0}},
+              {0.0, "the gap of one is zero, exactly"},
+              {{tests::IndexList{}, story::touching}, {tests::IndexList{}, story::ends_only}});
+  tests::sheet_trial(sheet, cylinder)
+      .of("the triangles")
+      .expect(tests::IndexList{got.triangles}, tests::IndexList{{0}},
+              {0.0, "its gap is zero, exactly"},
+              {{tests::IndexList{}, story::touching}, {tests::IndexList{}, story::ends_only}});
+}
+
 TEST_CASE("A sheet may lack triangles or edges or all", "[3.6]") {
   tests::Random random(374);
   Sheet sheet = random_sheet(random);
   sheet.positions[3] = Vec3(1.0, 0.1, 0.2);  // inside
+  Sheet bare = sheet;
+  bare.edges.clear();
+  expect_sheet(bare, {0.5}, 1, 4);
   sheet.triangles.clear();
-  expect_sheet(sheet, {0.5}, 1, 3);
+  expect_sheet(sheet, {0.5}, 2, 4);
   sheet.edges.clear();
-  expect_sheet(sheet, {0.5}, 2, 3);
+  expect_sheet(sheet, {0.5}, 3, 4);
   sheet.positions.clear();
-  expect_sheet(sheet, {0.5}, 3, 3);
+  expect_sheet(sheet, {0.5}, 4, 4);
 }
 
 TEST_CASE("A sheet whose edges or triangles have an index of no particle is refused", "[3.6]") {
@@ -128,11 +148,13 @@ TEST_CASE("A sheet whose edges or triangles have an index of no particle is refu
           .expect_throw([&] { return all_of(sheet, cylinder); },
                         "a triangle has an index of no particle", story::unchecked);
       if (corner == 2) continue;
-      sheet = one_triangle(corners, 0.5);
-      sheet.edges[1][corner] = bad;
-      tests::sheet_trial(sheet, cylinder)
-          .expect_throw([&] { return all_of(sheet, cylinder); },
-                        "an edge has an index of no particle", story::unchecked);
+      for (std::size_t edge = 0; edge < 3; ++edge) {
+        sheet = one_triangle(corners, 0.5);
+        sheet.edges[edge][corner] = bad;
+        tests::sheet_trial(sheet, cylinder)
+            .expect_throw([&] { return all_of(sheet, cylinder); },
+                          "an edge has an index of no particle", story::unchecked);
+      }
     }
   }
 }

@@ -4,6 +4,7 @@
 #include "random.hpp"
 
 using common::DoubleDouble;
+using common::value_at;
 
 TEST_CASE("The halves of a polynomial are the polynomial over either half") {
   tests::Random random(51);

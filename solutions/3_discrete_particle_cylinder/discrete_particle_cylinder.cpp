@@ -156,7 +156,7 @@ std::optional<ParticleContact> first_sampled_contact(const StraightPath& path, i
   for (std::int64_t k = 0; k <= samples; ++k) {
     const double time = path.duration * (static_cast<double>(k) / samples);  // eq. (4)
     const Vec3 position = path.position + time * path.velocity;
-    const auto found = contact(position, particle_radius, cylinder, time);
+    auto found = contact(position, particle_radius, cylinder, time);
     if (found) return found;
   }
   return std::nullopt;

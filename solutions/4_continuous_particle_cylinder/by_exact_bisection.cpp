@@ -149,26 +149,35 @@ double guess(const Path& path) {
   return (along - chord) / speed;
 }
 
-/// The double nearest to t*, of a path that meets in (0, dt].
-double nearest_time(const Path& path, bool moderate, double dt) {
-  std::uint64_t before = 0;
-  std::uint64_t met = bits(dt);
+/// Two times as bits: at one the path has not met, at the other it has.
+struct Bracket {
+  std::uint64_t before;
+  std::uint64_t met;
+};
+
+/// About the guess, of a path that meets in (0, dt]: wider and wider until it holds t*.
+Bracket bracket(const Path& path, bool moderate, double dt) {
+  Bracket all{0, bits(dt)};
   const double start = guess(path);
-  if (start > 0.0 && start < dt) {
-    const std::uint64_t middle = bits(start);
-    for (std::uint64_t width = 1;; width *= 4) {  // a bracket about the guess
-      const std::uint64_t low = middle > width ? std::max(middle - width, before) : before;
-      const std::uint64_t high = std::min(middle + width, met);
-      const bool low_met = has_met(path, moderate, value(low), value(low));
-      const bool high_met = has_met(path, moderate, value(high), value(high));
-      if (low_met) met = low;
-      if (!high_met) before = high;
-      if (!low_met) before = std::max(before, low);
-      if (high_met) met = std::min(met, high);
-      if (!low_met && high_met) break;
-      if (width > met - before) break;
+  if (!(start > 0.0 && start < dt)) return all;
+  const std::uint64_t middle = bits(start);
+  for (std::uint64_t width = 1; width <= all.met - all.before; width *= 4) {
+    const std::uint64_t low = middle > width ? std::max(middle - width, all.before) : all.before;
+    const std::uint64_t high = std::min(middle + width, all.met);
+    if (has_met(path, moderate, value(low), value(low))) {
+      all.met = low;
+    } else if (has_met(path, moderate, value(high), value(high))) {
+      return {low, high};
+    } else {
+      all.before = high;
     }
   }
+  return all;
+}
+
+/// The double nearest to t*, of a path that meets in (0, dt].
+double nearest_time(const Path& path, bool moderate, double dt) {
+  auto [before, met] = bracket(path, moderate, dt);
   while (met - before > 1) {
     const std::uint64_t middle = before + (met - before) / 2;
     (has_met(path, moderate, value(middle), value(middle)) ? met : before) = middle;

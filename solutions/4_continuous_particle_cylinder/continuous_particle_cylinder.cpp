@@ -122,7 +122,9 @@ template <typename Number>
   const bool leaves = surely_positive(b);
   const bool passes = surely_negative(discriminant);
   const bool missed = surely_positive(c) & (at_rest | leaves | passes);
-  const double outcome = (late | missed) ? infinity : hit ? t : not_sure;
+  const bool never = late | missed;
+  // NOLINTNEXTLINE(bugprone-narrowing-conversions): NaN is unlike itself, but it is no loss here
+  const double outcome = never ? infinity : hit ? t : not_sure;
   return surely_negative(c) ? 0.0 : outcome;
 }
 

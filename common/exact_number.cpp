@@ -36,7 +36,7 @@ ExactNumber::ExactNumber(Digits digits, int lowest) : digits_(std::move(digits))
     if (digit == 0 && carry == 0) continue;  // most are, where sizes differ by much
     digit += carry;
     carry = carry_of(digit);
-    digit -= carry * base;
+    digit = static_cast<std::int32_t>(digit);  // what is left: the lowest bits, with their sign
   }
   if (carry != 0) digits_.push_back(carry);
   while (!digits_.empty() && digits_.back() == 0) digits_.pop_back();

@@ -1,5 +1,7 @@
 #include "common/bernstein.hpp"
 
+#include <cmath>
+
 #include "catch.hpp"
 #include "random.hpp"
 

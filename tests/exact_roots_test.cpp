@@ -1,5 +1,9 @@
 #include "common/exact_roots.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include "catch.hpp"
 #include "random.hpp"
 

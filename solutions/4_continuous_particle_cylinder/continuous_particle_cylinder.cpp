@@ -389,7 +389,7 @@ EdgeSizes edge_sizes(const EdgeMotion<double>& m, const EdgeQuery& query) {
 }
 
 /// How far rounding can have moved the coefficients of a piece: those of 6f by 120 roundings of
-/// terms of this size and by 24 more at each of at most 45 halvings, an operation of double-double
+/// terms of this size and by 24 more at each of at most 50 halvings, an operation of double-double
 /// counting as five of u².
 struct Margins {
   double six_f, along;
@@ -399,7 +399,7 @@ template <typename Number>
 Margins margins(const EdgeSizes& size) {
   const double u = std::is_same_v<Number, double> ? 0x1p-53 : 0x1p-103;
   const double length_squared = size.length * size.length;
-  return {1200.0 * u * (size.path * size.path + size.rho * size.rho) * length_squared,
+  return {1400.0 * u * (size.path * size.path + size.rho * size.rho) * length_squared,
           150.0 * u * (size.path + size.length) * size.length};
 }
 

@@ -8,7 +8,7 @@
 
 #include "common/attitude.hpp"
 #include "common/free_rotation.hpp"
-#include "common/not_implemented.hpp"
+#include "common/if_written.hpp"
 #include "gyroscopic_tumbling.hpp"
 #include "render/film.hpp"
 
@@ -45,14 +45,11 @@ using Track = std::vector<Spin>;
 /// What a method makes of a start; nothing, and an entry in `missing`, where it is not written.
 std::optional<Track> tracked(const Spin& start, const std::function<Spin(const Spin&)>& step,
                              std::vector<std::string>& missing) {
-  try {
+  return common::if_written(missing, [&] {
     Track track{start};
     while (track.size() <= steps) track.push_back(step(track.back()));
     return track;
-  } catch (const common::NotImplemented& error) {
-    missing.push_back(error.step_and_function());
-    return std::nullopt;
-  }
+  });
 }
 
 /// The loop of step 2.2 on a body that nothing pushes.

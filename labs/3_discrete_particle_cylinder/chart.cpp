@@ -19,8 +19,7 @@ template <typename Judged>
 render::Method method(const char* name, double order, render::Colour colour, double diameters,
                       const Judged& judged) {
   const auto all = std::make_shared<const std::vector<Crossing>>(crossings(diameters));
-  render::Method result{name, order, colour, {}, nullptr, nullptr};
-  for (int samples = 1; samples <= 1024; samples *= 2) result.parameters.push_back(samples);
+  render::Method result{name, order, colour, render::ladder(1, 1024), nullptr, nullptr};
   result.judge = [=](double samples) {
     const Findings found(*all, steps_a_path * static_cast<int>(samples));
     const auto [error, is_of_use] = judged(found);

@@ -18,10 +18,10 @@ namespace {
 constexpr double foot = -0.95;  // where the names stand [m]
 
 void add_cylinder(render::Scene& scene) {
-  Mat3 along_x;
-  along_x << 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0;
-  scene.cylinders.push_back(
-      {{{-0.2, 0.0, 0.0}, along_x}, cylinder.radius, 1.95, {palette::grey, palette::grey, 0.55F}});
+  scene.cylinders.push_back({{{-0.2, 0.0, 0.0}, render::z_along_x},
+                             cylinder.radius,
+                             1.95,
+                             {palette::grey, palette::grey, 0.55F}});
 }
 
 /// A line along an edge. What of it the cylinder hides is marked on the surface above.

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "common/not_implemented.hpp"
+#include "common/if_written.hpp"
 #include "falling_sheet.hpp"
 
 /// What moves in the scene, and what the student's functions find of it.
@@ -33,25 +32,15 @@ struct Fall {
   std::vector<Moment> moments;
 };
 
-/// Names a step that is not written yet, once.
-inline void note(const common::NotImplemented& error, std::vector<std::string>& missing) {
-  const std::string& step = error.step_and_function();
-  if (std::find(missing.begin(), missing.end(), step) == missing.end()) missing.push_back(step);
-}
-
 inline std::vector<std::size_t> sunk_edges(const Sheet& sheet, std::vector<std::string>& missing) {
-  try {
-    return sheet_contacts(sheet, cylinder).edges;
-  } catch (const common::NotImplemented& error) {
-    note(error, missing);
-    return {};
-  }
+  const auto edges = [&] { return sheet_contacts(sheet, cylinder).edges; };
+  return common::if_written(missing, edges).value_or(std::vector<std::size_t>());
 }
 
 inline std::optional<Fall> fallen(Fall fall, const PushOut& push_out,
                                   std::vector<std::string>& missing) {
   constexpr int steps_a_frame = 5;
-  try {
+  return common::if_written(missing, [&] {
     FallingSheet falling(rows, columns, spacing, {fall.x, 0.0, 0.65}, 0.12);
     for (int frame = 0; frame <= frames; ++frame) {
       fall.moments.push_back({falling.sheet, sunk_edges(falling.sheet, missing)});
@@ -60,10 +49,7 @@ inline std::optional<Fall> fallen(Fall fall, const PushOut& push_out,
       }
     }
     return fall;
-  } catch (const common::NotImplemented& error) {
-    note(error, missing);
-    return std::nullopt;
-  }
+  });
 }
 
 /// A particle that is shot across the cylinder, and the sample that finds it.
@@ -84,7 +70,7 @@ inline constexpr double sample_distance = 1.5 * chord;
 
 /// One lane beside the other, their starts spread evenly over the distance of two samples.
 inline std::optional<std::vector<Shot>> shots(std::vector<std::string>& missing) {
-  try {
+  return common::if_written(missing, [&] {
     std::vector<Shot> all;
     for (int i = 0; i < shot_count; ++i) {
       const double phase = (i + 0.5) / shot_count;
@@ -95,10 +81,7 @@ inline std::optional<std::vector<Shot>> shots(std::vector<std::string>& missing)
           {0.1 + 0.8 * i, path, first_sampled_contact(path, samples, shot_radius, cylinder)});
     }
     return all;
-  } catch (const common::NotImplemented& error) {
-    note(error, missing);
-    return std::nullopt;
-  }
+  });
 }
 
 }  // namespace lab::discrete_particle_cylinder

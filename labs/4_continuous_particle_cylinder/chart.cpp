@@ -79,13 +79,6 @@ render::Method batch_method(const char* name, render::Colour colour,
   return result;
 }
 
-/// From `first` to 1024.
-std::vector<double> counts(int first, int factor) {
-  std::vector<double> ladder;
-  for (int count = first; count <= 1024; count *= factor) ladder.push_back(count);
-  return ladder;
-}
-
 const std::vector<double> tolerances{1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14};
 
 /// The ladders of the methods that have one.
@@ -122,7 +115,7 @@ std::vector<render::Method> edge_methods() {
   };
   return {
       method("its ends alone", palette::vermilion, {1.0}, cases, ends_alone),
-      method("samples", palette::orange, counts(1, 2), cases, sampled_edge),
+      method("samples", palette::orange, render::ladder(1, 1024), cases, sampled_edge),
       method("conservative advancement", palette::purple, tolerances, cases, advanced_edge),
       method("quartic", palette::green, {1.0}, cases, quartic),
   };
@@ -148,8 +141,8 @@ render::MeasuredChart chart(const char* name, const char* title, const char* sub
 }  // namespace
 
 int main(int argc, char** argv) {
-  const Ladders near{counts(1, 2), counts(1, 2), tolerances};
-  const Ladders far{counts(4, 16), counts(16, 16), {1e-2, 1e-4, 1e-6}};
+  const Ladders near{render::ladder(1, 1024), render::ladder(1, 1024), tolerances};
+  const Ladders far{render::ladder(4, 1024, 16), render::ladder(16, 1024, 16), {1e-2, 1e-4, 1e-6}};
   render::ChartPlan plan;
   plan.charts = {
       chart("chart", "A particle's time of impact: error against computing time",

@@ -18,9 +18,7 @@ constexpr double edge_shift = 2.15;
 /// Open just behind x = 0, where everything flies.
 void add_cylinder(render::Scene& scene, const char* name, double shift) {
   constexpr double half_length = 0.28;
-  Mat3 along_x;
-  along_x << 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0;
-  scene.cylinders.push_back({{{-half_length - 0.02, shift, 0.0}, along_x},
+  scene.cylinders.push_back({{{-half_length - 0.02, shift, 0.0}, render::z_along_x},
                              cylinder.radius,
                              half_length,
                              {palette::grey, palette::sky, 0.55F}});

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "common/not_implemented.hpp"
+#include "common/if_written.hpp"
 #include "continuous_particle_cylinder.hpp"
 
 /// What moves in the scene, and what the ways of looking find of it.
@@ -71,15 +71,9 @@ inline std::optional<double> exact_time(const MovingParticle& particle) {
   return time_of_impact(particle, cylinder, flight);
 }
 
-/// Names a step that is not written yet, once.
-inline void note(const common::NotImplemented& error, std::vector<std::string>& missing) {
-  const std::string& step = error.step_and_function();
-  if (std::find(missing.begin(), missing.end(), step) == missing.end()) missing.push_back(step);
-}
-
 template <typename Look>
 std::optional<Group> watched(Group group, const Look& look, std::vector<std::string>& missing) {
-  try {
+  return common::if_written(missing, [&] {
     for (const Lane& lane : lanes) {
       Shot shot{bullet(lane), std::nullopt};
       const std::optional<double> time = look(shot.particle);
@@ -87,10 +81,7 @@ std::optional<Group> watched(Group group, const Look& look, std::vector<std::str
       group.shots.push_back(shot);
     }
     return group;
-  } catch (const common::NotImplemented& error) {
-    note(error, missing);
-    return std::nullopt;
-  }
+  });
 }
 
 inline MovingEdge falling_edge() {
@@ -105,7 +96,7 @@ struct EdgeImpact {
 
 inline std::optional<EdgeImpact> edge_impact(std::vector<std::string>& missing) {
   const MovingEdge edge = falling_edge();
-  try {
+  return common::if_written(missing, [&] {
     EdgeImpact impact;
     for (const MovingParticle& end : {MovingParticle{edge.a, edge.velocity_a, edge.radius},
                                       MovingParticle{edge.b, edge.velocity_b, edge.radius}}) {
@@ -121,10 +112,7 @@ inline std::optional<EdgeImpact> edge_impact(std::vector<std::string>& missing) 
                                  edge.radius};
     impact.contact = contact_at(nearest, cylinder, *time);
     return impact;
-  } catch (const common::NotImplemented& error) {
-    note(error, missing);
-    return std::nullopt;
-  }
+  });
 }
 
 }  // namespace lab::continuous_particle_cylinder

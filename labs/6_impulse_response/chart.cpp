@@ -11,12 +11,6 @@ namespace palette = render::palette;
 
 namespace {
 
-std::vector<double> powers_of_two(int first, int last, int factor) {
-  std::vector<double> ladder;
-  for (int steps = first; steps <= last; steps *= factor) ladder.push_back(steps);
-  return ladder;
-}
-
 /// `run` maps the number of steps a second to an error and the steps that it took.
 template <typename Run>
 render::Method method(const char* name, double order, render::Colour colour,
@@ -45,7 +39,7 @@ render::MeasuredChart departure_chart() {
   words.error_unit = "rad";
   words.work_unit = "eight slides";
   words.parameter_name = "steps a second";
-  const std::vector<double> ladder = powers_of_two(16, 65536, 2);
+  const std::vector<double> ladder = render::ladder(16, 65536);
   const auto option_2 = by_projection({true, true});
   const auto sinking = by_projection({false, true});
   return {words,
@@ -81,7 +75,7 @@ render::MeasuredChart bounces_chart() {
   };
   return {
       words,
-      {method("option 2", 1.0, palette::vermilion, powers_of_two(16, 65536, 2), last_flight(),
+      {method("option 2", 1.0, palette::vermilion, render::ladder(16, 65536), last_flight(),
               bouncing(by_projection({true, true}))),
        option_1("option 1, cap 1", palette::sky, 1), option_1("option 1, cap 4", palette::blue, 4),
        option_1("option 1, cap 16", palette::green, 16)}};
@@ -99,7 +93,7 @@ render::MeasuredChart incline_chart() {
   words.error_unit = "m";
   words.work_unit = "simulated second";
   words.parameter_name = "steps a second";
-  const std::vector<double> ladder = powers_of_two(16, 65536, 4);
+  const std::vector<double> ladder = render::ladder(16, 65536, 4);
   const auto option_2 = by_projection({true, true});
   const auto creeping = by_projection({true, false});
   const auto option_1 = by_impacts(8);

@@ -20,10 +20,10 @@ constexpr std::size_t simulated_for_one_drawn = 6;
 constexpr double foot = -1.5;
 
 void add_cylinder(render::Scene& scene) {
-  Mat3 along_x;
-  along_x << 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0;
-  scene.cylinders.push_back(
-      {{{-0.1, 0.0, 0.0}, along_x}, cylinder.radius, 3.0, {palette::grey, palette::grey, 0.55F}});
+  scene.cylinders.push_back({{{-0.1, 0.0, 0.0}, render::z_along_x},
+                             cylinder.radius,
+                             3.0,
+                             {palette::grey, palette::grey, 0.55F}});
 }
 
 render::Colour colour_of(const Grain& grain) {

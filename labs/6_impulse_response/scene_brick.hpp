@@ -171,7 +171,7 @@ inline BrickFlight brick_start() {
 /// Nothing, and an entry in `missing`, where an impulse is not written yet.
 inline std::optional<Tumble> tumbled(std::vector<std::string>& missing) {
   constexpr int substeps = 40;  // a frame, of a millisecond
-  try {
+  return common::if_written(missing, [&] {
     Tumble tumble;
     BrickFlight flight = brick_start();
     double last = 0.0;
@@ -195,10 +195,7 @@ inline std::optional<Tumble> tumbled(std::vector<std::string>& missing) {
       }
     }
     return tumble;
-  } catch (const common::NotImplemented& error) {
-    missing.push_back(error.step_and_function());
-    return std::nullopt;
-  }
+  });
 }
 
 }  // namespace lab::impulse_response

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "common/not_implemented.hpp"
+#include "common/if_written.hpp"
 #include "impulse_response.hpp"
 
 /// The left of the scene: particles that pour on the cylinder, stepped by option 2.
@@ -78,7 +78,7 @@ inline std::optional<Pour> poured(std::vector<std::string>& missing) {
   std::vector<Particle> particles = poured_particles();
   const double released_a_second = particle_count / pouring;
   Pour pour;
-  try {
+  return common::if_written(missing, [&] {
     for (int frame = 0; frame <= frames; ++frame) {
       const double released =
           std::min(released_a_second * frame * frame_time, static_cast<double>(particle_count));
@@ -94,10 +94,7 @@ inline std::optional<Pour> poured(std::vector<std::string>& missing) {
       pour.frames.push_back(grains);
     }
     return pour;
-  } catch (const common::NotImplemented& error) {
-    missing.push_back(error.step_and_function());
-    return std::nullopt;
-  }
+  });
 }
 
 }  // namespace lab::impulse_response

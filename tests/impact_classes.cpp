@@ -149,7 +149,7 @@ Query arriving(Random& random) {
   const int kind = whole(random, 0, 3);
   Query q = kind == 0 ? far(random) : kind == 1 ? grazing(random) : generic(random);
   q.dt = 1e3;
-  if (const auto impact = ImpactOracle(q).impact()) q.dt = static_cast<double>(impact->time);
+  if (const auto exact = impact(q)) q.dt = static_cast<double>(exact->time);
   q.dt = std::abs(nudged(random, q.dt));
   return q;
 }

@@ -185,7 +185,7 @@ function(_add_stub_cases)
     set(test "${folder}/stub/${step}/${case}")
     add_test(NAME "${test}" COMMAND ${name}_student_test "${case}" ${catch2_strict})
     string(REPLACE "." "\\." step "${step}")
-    set_tests_properties("${test}" PROPERTIES LABELS stub TIMEOUT 10
+    set_tests_properties("${test}" PROPERTIES LABELS stub TIMEOUT ${case_seconds}
       PASS_REGULAR_EXPRESSION "${step} [a-z0-9_]+ is not written yet"
       FAIL_REGULAR_EXPRESSION "All tests passed")
   endforeach()

@@ -1,27 +1,10 @@
-#include <cstdlib>
-#include <new>
-
+#include "allocations.hpp"
 #include "catch.hpp"
 #include "continuous_particle_cylinder.hpp"
 #include "random.hpp"
 #include "trial.hpp"
 
 using namespace lab::continuous_particle_cylinder;
-
-namespace {
-
-std::size_t allocations = 0;
-
-}  // namespace
-
-// The replacements count, for the whole program; those of the nothrow and array forms call these.
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace {
 
@@ -43,9 +26,9 @@ MovingParticles random_particles(tests::Random& random, std::size_t size) {
 
 double allocations_of(tests::Random& random, std::size_t size) {
   const MovingParticles particles = random_particles(random, size);
-  const std::size_t before = allocations;
+  const std::size_t before = tests::allocations;
   const std::vector<double> times = times_of_impact(particles, {4.0}, 10.0);
-  const auto count = static_cast<double>(allocations - before);
+  const auto count = static_cast<double>(tests::allocations - before);
   tests::Trial(step)
       .given("number of particles", static_cast<double>(size))
       .expect(static_cast<double>(times.size()), static_cast<double>(size),

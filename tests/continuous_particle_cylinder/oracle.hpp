@@ -43,6 +43,7 @@ struct Quadratic {
   cpp_int a = 0;
   cpp_int b = 0;
   cpp_int c = 0;
+  cpp_int rho_squared = 0;  ///< in the unit of c
   int unit = 0;
 };
 
@@ -57,7 +58,8 @@ inline Quadratic quadratic(const std::vector<Coordinate>& path, double R, double
   const int speed = last_bit(speeds);
   const cpp_int rho = whole(R, length) + whole(r, length);
   Quadratic f;
-  f.c = -rho * rho;
+  f.rho_squared = rho * rho;
+  f.c = -f.rho_squared;
   f.unit = length - speed;
   for (const Coordinate& coordinate : path) {
     const cpp_int x = whole(coordinate.position, length);

@@ -1,7 +1,4 @@
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
+#include "allocations.hpp"
 #include "catch.hpp"
 #include "discrete_particle_cylinder.hpp"
 #include "judgement.hpp"
@@ -13,28 +10,6 @@ using tests::IndexList;
 using tests::Suspect;
 using tests::Trial;
 namespace story = tests::story;
-
-namespace {
-
-std::atomic<long> allocations{0};
-
-}  // namespace
-
-// The answer is linked into this program, so its allocations come by here. Seen inlined, GCC would
-// take free for the wrong end of new.
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;  // NOLINT
-  throw std::bad_alloc();
-}
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {  // the sanitizer has its own
-  ++allocations;
-  return std::malloc(size == 0 ? 1 : size);  // NOLINT
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }  // NOLINT
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);  // NOLINT
-}
 
 namespace {
 
@@ -186,19 +161,19 @@ TEST_CASE("A particle within a hundred roundings of touching is judged rightly",
 
 TEST_CASE("A hundred times the particles take no more allocations", "[3.3]") {
   tests::Random random(334);
-  std::vector<long> counts;
+  std::vector<double> counts;
   for (const int size : {1000, 100000}) {
     Batch batch = random_batch(random, size);
-    const long before = allocations;
+    const std::size_t before = tests::allocations;
     const std::vector<std::size_t> got =
         particles_in_contact(batch.positions, batch.particle_radius, batch.cylinder);
-    counts.push_back(allocations - before);
+    counts.push_back(static_cast<double>(tests::allocations - before));
     const double rho = batch.cylinder.radius + batch.particle_radius;
     const auto touches = [&](const Vec3& p) { return std::hypot(p.y(), p.z()) <= rho; };
     batch_trial(batch).expect(IndexList{got}, indices_where(batch, touches),
                               {0.0, "none is within rounding of touching"});
   }
-  const auto grown = static_cast<double>(counts[1] - counts[0]);
+  const double grown = counts[1] - counts[0];
   Trial("3.3 particles_in_contact")
       .expect_small("allocations for 100,000 particles more than for 1,000", std::max(grown, 0.0),
                     {0.0, "their number does not grow as the number of particles does"},

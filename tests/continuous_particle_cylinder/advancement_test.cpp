@@ -12,10 +12,10 @@ using tests::Time;
 
 namespace {
 
-const std::string step = "4.3 conservative_advancement";
+const std::string advancement_step = "4.3 conservative_advancement";
 
 tests::Trial trial(const Query& query, double tolerance, int index = 1, int count = 1) {
-  return tests::trial(step, query, index, count).given("tolerance", tolerance);
+  return tests::trial(advancement_step, query, index, count).given("tolerance", tolerance);
 }
 
 Advancement advanced(const Query& query, double tolerance) {
@@ -215,7 +215,7 @@ TEST_CASE("Within the tolerance at the start it takes one evaluation", "[4.3]") 
 }
 
 TEST_CASE("Advancement refuses bad arguments", "[4.3]") {
-  tests::expect_bad_queries_throw(step,
+  tests::expect_bad_queries_throw(advancement_step,
                                   [](const Query& query) { return advanced(query, 1e-6).time; });
   const Query query = tests::query({0, 10, 20}, {0, -1, 0}, 1.0);
   for (const double tolerance : {0.0, -1e-6, infinity, std::numeric_limits<double>::quiet_NaN()}) {

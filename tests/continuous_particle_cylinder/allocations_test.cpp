@@ -8,7 +8,7 @@ using namespace lab::continuous_particle_cylinder;
 
 namespace {
 
-const std::string step = "4.5 times_of_impact";
+const std::string allocations_step = "4.5 times_of_impact";
 
 /// The last of the particles takes the way of a 3-4-5 triangle.
 MovingParticles random_particles(tests::Random& random, std::size_t size) {
@@ -29,11 +29,11 @@ double allocations_of(tests::Random& random, std::size_t size) {
   const std::size_t before = tests::allocations;
   const std::vector<double> times = times_of_impact(particles, {4.0}, 10.0);
   const auto count = static_cast<double>(tests::allocations - before);
-  tests::Trial(step)
+  tests::Trial(allocations_step)
       .given("number of particles", static_cast<double>(size))
       .expect(static_cast<double>(times.size()), static_cast<double>(size),
               {0.0, "one time for each particle"});
-  tests::Trial(step)
+  tests::Trial(allocations_step)
       .given("number of particles", static_cast<double>(size))
       .of("the last time")
       .expect(times.back(), 3.0, {2.0 * tests::eps, "1 ulp"});
@@ -46,8 +46,8 @@ TEST_CASE("The allocations of a batch do not grow with it", "[4.5]") {
   tests::Random random(453);
   const double few = allocations_of(random, 1000);
   const double many = allocations_of(random, 100000);
-  tests::Trial(step).expect_small(
-      "allocations of 100000 particles less those of 1000", many - few,
-      {8.0, "an array that doubles as it grows takes seven more, a particle none"},
-      "every particle allocates: a vector, a string or an ExactNumber in the loop");
+  tests::Trial(allocations_step)
+      .expect_small("allocations of 100000 particles less those of 1000", many - few,
+                    {8.0, "an array that doubles as it grows takes seven more, a particle none"},
+                    "every particle allocates: a vector, a string or an ExactNumber in the loop");
 }

@@ -8,7 +8,7 @@ using tests::Time;
 
 namespace {
 
-const std::string step = "4.5 times_of_impact";
+const std::string batch_step = "4.5 times_of_impact";
 
 /// Queries that share a particle radius, a cylinder and dt.
 struct Batch {
@@ -39,13 +39,14 @@ Time batch_time(double time) { return time == infinity ? Time{} : Time{time}; }
 void expect_batch(const Batch& batch) {
   const std::size_t size = batch.particles.y.size();
   const std::vector<double> got = times_of_impact(batch.particles, batch.cylinder, batch.dt);
-  tests::Trial(step)
+  tests::Trial(batch_step)
       .given("number of particles", static_cast<double>(size))
       .expect(static_cast<double>(got.size()), static_cast<double>(size),
               {0.0, "one time for each particle"});
   for (std::size_t i = 0; i < size; ++i) {
     const Query query = query_of(batch, i);
-    const auto trial = tests::trial(step, query, static_cast<int>(i + 1), static_cast<int>(size));
+    const auto trial =
+        tests::trial(batch_step, query, static_cast<int>(i + 1), static_cast<int>(size));
     auto suspects = tests::suspects_of(query);
     suspects.push_back({{-1.0}, "-1 stands for no impact: infinity does"});
     if (i > 0 && i + 1 == size) suspects = {{batch_time(got[i]), last_missed}};
@@ -150,7 +151,7 @@ TEST_CASE("A batch refuses bad arguments wherever they stand", "[4.5]") {
       batch.particles.z[place] = query.particle.position.z();
       batch.particles.velocity_y[place] = query.particle.velocity.y();
       batch.particles.velocity_z[place] = query.particle.velocity.z();
-      tests::trial(step, query, static_cast<int>(place + 1), 300)
+      tests::trial(batch_step, query, static_cast<int>(place + 1), 300)
           .expect_throw(
               [&] {
                 return Time{times_of_impact(batch.particles, batch.cylinder, batch.dt)[place]};
@@ -168,7 +169,7 @@ TEST_CASE("A batch refuses arrays of different lengths", "[4.5]") {
       MovingParticles& p = batch.particles;
       std::vector<double>* const arrays[] = {&p.y, &p.z, &p.velocity_y, &p.velocity_z};
       arrays[array]->resize(static_cast<std::size_t>(9 + change), 1.0);
-      tests::Trial(step)
+      tests::Trial(batch_step)
           .given("array", static_cast<double>(array))
           .given("its length", 9.0 + change)
           .given("length of the others", 9.0)

@@ -8,14 +8,14 @@ using tests::Time;
 
 namespace {
 
-const std::string step = "4.3 time_of_impact_certified";
+const std::string certified_step = "4.3 time_of_impact_certified";
 
 std::optional<double> certified(const Query& query) {
   return time_of_impact_certified(query.particle, query.cylinder, query.dt);
 }
 
 void expect_certain(const Query& query, int index, int count, const tests::TimeSuspects& suspects) {
-  const auto trial = tests::trial(step, query, index, count);
+  const auto trial = tests::trial(certified_step, query, index, count);
   const Time got{trial.returned([&] { return certified(query); })};
   tests::expect_exact(trial, got, query, 1.0, suspects);
 }
@@ -93,7 +93,7 @@ TEST_CASE("The certified root counts touches and nothing next to them", "[4.3]")
   const auto count = static_cast<int>(ties.size());
   int index = 0;
   for (const tests::Tie& tie : ties) {
-    const auto trial = tests::trial(step, tie.query, ++index, count);
+    const auto trial = tests::trial(certified_step, tie.query, ++index, count);
     tests::expect_tie(trial, certified, tie,
                       {2.0 * tests::eps * tie.time, "1 ulp of t, as the contract says"},
                       tests::suspects_of(tie.query));
@@ -173,5 +173,5 @@ TEST_CASE("The certified root is right where every size is of its own order", "[
 }
 
 TEST_CASE("The certified root refuses bad arguments", "[4.3]") {
-  tests::expect_bad_queries_throw(step, certified);
+  tests::expect_bad_queries_throw(certified_step, certified);
 }

@@ -9,10 +9,10 @@ using tests::Trial;
 
 namespace {
 
-const std::string step = "4.4 contact_at";
+const std::string contact_step = "4.4 contact_at";
 
-Trial trial(const Query& query, double time, int index = 1, int count = 1) {
-  return Trial(step, index, count)
+Trial contact_trial(const Query& query, double time, int index = 1, int count = 1) {
+  return Trial(contact_step, index, count)
       .given("particle.position", query.particle.position)
       .given("particle.velocity", query.particle.velocity)
       .given("particle.radius", query.particle.radius)
@@ -65,7 +65,7 @@ void expect_contact(const Query& query, double time, int index, int count) {
   const std::string spatial = "x is kept in the normal: it stands in the yz-plane";
   const ParticleContact got = contact_at(query.particle, query.cylinder, time);
 
-  const Trial here = trial(query, time, index, count);
+  const Trial here = contact_trial(query, time, index, count);
   here.of("the normal")
       .expect(got.normal, wanted.normal, {turn, "the rounding of x + t v over its distance"},
               Suspects{{-wanted.normal, reversed},
@@ -101,7 +101,7 @@ void expect_contact(const Query& query, double time, int index, int count) {
 TEST_CASE("A contact on a 3-4-5 triangle has whole numbers", "[4.4]") {
   const Query query = tests::query({1, 10, 3}, {2, -2, 0}, 10.0);
   const ParticleContact got = contact_at(query.particle, query.cylinder, 3.0);
-  const Trial here = trial(query, 3.0);
+  const Trial here = contact_trial(query, 3.0);
   here.of("the normal").expect(got.normal, Vec3(0, 0.8, 0.6), {4.0 * eps, "4/5 and 3/5"});
   here.of("the point on the cylinder")
       .expect(got.point_on_cylinder, Vec3(7, 3.2, 2.4), {16.0 * eps, "4/5 of the centre"});
@@ -130,7 +130,7 @@ TEST_CASE("At the time of impact the normal is unit and the point on the surface
     const double time = tests::nudged(random, *tests::time_of(query).seconds, 4);
     const ParticleContact got = contact_at(query.particle, query.cylinder, time);
     const double R = query.cylinder.radius;
-    const Trial here = trial(query, time, i, 200);
+    const Trial here = contact_trial(query, time, i, 200);
     here.expect_small("||n| - 1|", std::abs(got.normal.norm() - 1.0), {4.0 * eps, "unit"});
     here.expect_small("|n.x|", std::abs(got.normal.x()), {0.0, "it stands in the yz-plane"},
                       "x is kept in the normal: it stands in the yz-plane");
@@ -160,7 +160,7 @@ TEST_CASE("Next to the axis and at every scale the normal is unit", "[4.4]") {
     if (i % 2 == 0) query.particle.radius *= size;
     if (i % 2 == 0) query.cylinder.radius *= size;
     const ParticleContact got = contact_at(query.particle, query.cylinder, 0.0);
-    trial(query, 0.0, i, 100)
+    contact_trial(query, 0.0, i, 100)
         .of("the normal")
         .expect(got.normal, exact_contact(query, 0.0).normal, {8.0 * eps, "a quotient by a hypot"});
   }
@@ -169,7 +169,7 @@ TEST_CASE("Next to the axis and at every scale the normal is unit", "[4.4]") {
 TEST_CASE("A contact refuses bad arguments", "[4.4]") {
   for (const auto& [why, query] : tests::bad_queries()) {
     if (query.dt == 1.0) {
-      trial(query, 1.0)
+      contact_trial(query, 1.0)
           .expect_throw(
               [&, &query = query] {
                 return contact_at(query.particle, query.cylinder, 1.0).normal;
@@ -179,7 +179,7 @@ TEST_CASE("A contact refuses bad arguments", "[4.4]") {
   }
   const Query query = tests::query({0, 10, 20}, {0, -1, 0}, 1.0);
   for (const double time : {tests::infinity, std::numeric_limits<double>::quiet_NaN()}) {
-    trial(query, time)
+    contact_trial(query, time)
         .expect_throw([&] { return contact_at(query.particle, query.cylinder, time).normal; },
                       "the time is not finite",
                       "the arguments are not checked: each must throw std::invalid_argument");

@@ -9,7 +9,7 @@ using tests::Time;
 
 namespace {
 
-const std::string step = "4.2 time_of_impact";
+const std::string cross_form_step = "4.2 time_of_impact";
 
 std::optional<double> cross_form(const Query& query) {
   return time_of_impact(query.particle, query.cylinder, query.dt);
@@ -22,7 +22,7 @@ Query deep_query(tests::Random& random, double distance, double speed) {
 }
 
 void expect_four_ulp(const Query& query, int index, int count) {
-  const auto trial = tests::trial(step, query, index, count);
+  const auto trial = tests::trial(cross_form_step, query, index, count);
   const Time got{trial.returned([&] { return cross_form(query); })};
   tests::expect_exact(trial, got, query, 4.0);
 }
@@ -37,7 +37,7 @@ bool clearly_missed(Query query) {
 
 /// No impact is missed; a miss is one where it is clear.
 void expect_not_missed(const Query& query, int index, int count) {
-  const auto trial = tests::trial(step, query, index, count);
+  const auto trial = tests::trial(cross_form_step, query, index, count);
   const Time got{trial.returned([&] { return cross_form(query); })};
   const Time wanted = tests::time_of(query);
   if (wanted.seconds && !got.seconds) trial.expect(got, wanted, {0.0, "no impact is missed"});
@@ -62,7 +62,8 @@ TEST_CASE("The cross form is right on paths of whole numbers", "[4.2]") {
   const auto cases = tests::hand_cases();
   int index = 0;
   for (const auto& [query, time] : cases) {
-    const auto trial = tests::trial(step, query, ++index, static_cast<int>(cases.size()));
+    const auto trial =
+        tests::trial(cross_form_step, query, ++index, static_cast<int>(cases.size()));
     trial.expect(Time{trial.returned([&, &q = query] { return cross_form(q); })}, Time{time},
                  {8.0 * eps * time.value_or(0.0), "4 ulp"}, tests::suspects_of(query));
   }
@@ -72,7 +73,8 @@ TEST_CASE("The cross form counts touches at the start and in passing and at dt",
   const auto ties = tests::ties();
   int index = 0;
   for (const tests::Tie& tie : ties) {
-    const auto trial = tests::trial(step, tie.query, ++index, static_cast<int>(ties.size()));
+    const auto trial =
+        tests::trial(cross_form_step, tie.query, ++index, static_cast<int>(ties.size()));
     // Deeper by 64 eps of ρ the line would enter √(2 · 64 eps) ρ earlier.
     const double way = std::sqrt(128.0 * eps) * tests::rho(tie.query);
     tests::expect_tie(trial, cross_form, tie,
@@ -103,7 +105,7 @@ TEST_CASE("Far off the cross form keeps the digits that the textbook loses", "[4
       auto suspects = tests::suspects_of(query);
       suspects.push_back(
           {{0.5 * D}, "the discriminant cancels: far off b^2 - a c of rounded squares is noise"});
-      const auto trial = tests::trial(step, query, ++index, 54);
+      const auto trial = tests::trial(cross_form_step, query, ++index, 54);
       tests::expect_exact(trial, Time{trial.returned([&] { return cross_form(query); })}, query,
                           4.0, suspects);
     }
@@ -158,5 +160,5 @@ TEST_CASE("The cross form misses no touch of large whole numbers", "[4.2]") {
 }
 
 TEST_CASE("The cross form refuses bad arguments", "[4.2]") {
-  tests::expect_bad_queries_throw(step, cross_form);
+  tests::expect_bad_queries_throw(cross_form_step, cross_form);
 }

@@ -11,7 +11,7 @@ using tests::Time;
 
 namespace {
 
-const std::string step = "4.1 time_of_impact_textbook";
+const std::string textbook_step = "4.1 time_of_impact_textbook";
 const std::string not_the_textbook =
     "this is not the textbook's formula: it is too good far off; write eq. (3) as it stands";
 
@@ -53,7 +53,7 @@ TEST_CASE("The textbook root is right on paths of whole numbers", "[4.1]") {
   const auto cases = tests::hand_cases();
   int index = 0;
   for (const auto& [query, time] : cases) {
-    const auto trial = tests::trial(step, query, ++index, static_cast<int>(cases.size()));
+    const auto trial = tests::trial(textbook_step, query, ++index, static_cast<int>(cases.size()));
     trial.expect(Time{trial.returned([&, &q = query] { return textbook(q); })}, Time{time},
                  {4.0 * eps * time.value_or(0.0), "whole numbers: only the division may round"},
                  textbook_suspects(query));
@@ -64,9 +64,9 @@ TEST_CASE("The textbook root counts touches at the start and in passing and at d
   const auto ties = tests::ties();
   int index = 0;
   for (const tests::Tie& tie : ties) {
-    tests::expect_tie(tests::trial(step, tie.query, ++index, static_cast<int>(ties.size())),
-                      textbook, tie, {4.0 * eps * tie.time, "whole numbers: all is exact"},
-                      textbook_suspects(tie.query));
+    tests::expect_tie(
+        tests::trial(textbook_step, tie.query, ++index, static_cast<int>(ties.size())), textbook,
+        tie, {4.0 * eps * tie.time, "whole numbers: all is exact"}, textbook_suspects(tie.query));
   }
 }
 
@@ -82,7 +82,7 @@ TEST_CASE("Near one the textbook root is right but for rounding", "[4.1]") {
     if (wanted.seconds && *wanted.seconds > 0.999 * query.dt) continue;  // rounding may decide
     const double bound = largest_place_error(distance, offset) * tests::rho(query) /
                          std::hypot(query.particle.velocity.y(), query.particle.velocity.z());
-    tests::trial(step, query, i, 300)
+    tests::trial(textbook_step, query, i, 300)
         .expect(Time{textbook(query)}, wanted,
                 {bound, "eleven roundings in b^2 - 4 a c, each relative to b^2"},
                 textbook_suspects(query));
@@ -105,7 +105,7 @@ TEST_CASE("The textbook root loses digits with the square of the distance", "[4.
     Query query;
     for (int i = 1; i <= 201; ++i) {
       query = tests::aimed(random, {distance, random.uniform(-0.5, 0.5), 1.0});
-      const auto trial = tests::trial(step, query, i, 201);
+      const auto trial = tests::trial(textbook_step, query, i, 201);
       const Time got{textbook(query)};
       const double way = largest_place_error(distance, 0.5);
       trial.expect(got, tests::time_of(query),
@@ -115,7 +115,7 @@ TEST_CASE("The textbook root loses digits with the square of the distance", "[4.
     }
     std::nth_element(errors.begin(), errors.begin() + 100, errors.end());
     const double least = distance * distance * eps / 16.0;
-    tests::trial(step, query)
+    tests::trial(textbook_step, query)
         .expect_small("eps D^2/16 over the median error of the place", least / errors[100],
                       {1.0, "the rounding of b^2 alone costs as much"},
                       "this is not the textbook's formula: it is too good far off; write eq. (3) "
@@ -133,7 +133,7 @@ TEST_CASE("Farther than eps allows the textbook root misses hits and finds false
     query = tests::aimed(random, {1e9, i % 2 == 0 ? 0.0 : 3.0, 1.0});
     const Time got{textbook(query)};
     // Whatever of it is a time must be one: the noise may not reach the answer as NaN.
-    tests::trial(step, query)
+    tests::trial(textbook_step, query)
         .expect_small("time out of [0, dt]",
                       got.seconds ? std::max({0.0, -*got.seconds, *got.seconds - query.dt}) +
                                         0.0 * *got.seconds
@@ -145,11 +145,11 @@ TEST_CASE("Farther than eps allows the textbook root misses hits and finds false
   // Only where neither happens are the digits there: a mistake may miss all alike.
   const bool too_good = missed == 0 && false_hits == 0;
   const std::string likely = too_good ? not_the_textbook : "";
-  const auto trial = tests::trial(step, query);
+  const auto trial = tests::trial(textbook_step, query);
   trial.expect_small("1 - hits missed", 1.0 - missed, {0.0, "200 paths through the axis"}, likely);
   trial.expect_small("1 - false hits", 1.0 - false_hits, {0.0, "200 paths 3 rho beside"}, likely);
 }
 
 TEST_CASE("The textbook root refuses bad arguments", "[4.1]") {
-  tests::expect_bad_queries_throw(step, textbook);
+  tests::expect_bad_queries_throw(textbook_step, textbook);
 }

@@ -54,7 +54,7 @@ void refuse(const std::string& function, const std::vector<Vec3>& vectors, const
   }
 }
 
-const char* const unit = "a normal is of length one";
+const char* const unit_normal = "a normal is of length one";
 const char* const must_be_finite = "it is NaN or infinite";
 
 /// Every input of a step that must be refused, given to `call`.
@@ -127,7 +127,7 @@ TEST_CASE("A normal impulse of bad input is refused", "[6.1]") {
   refuse(f, no_mass(), "mass", [](double m) { return normal_impulse(m, -up, up, 0.5); });
   refuse(f, no_restitution(), "restitution",
          [](double e) { return normal_impulse(1.0, -up, up, e); });
-  refuse(f, no_normals(), "normal", unit,
+  refuse(f, no_normals(), "normal", unit_normal,
          [](const Vec3& n) { return normal_impulse(1.0, -up, n, 0.5); });
   refuse(f, {nan_vector, infinite_vector}, "velocity", must_be_finite,
          [](const Vec3& v) { return normal_impulse(1.0, v, up, 0.5); });
@@ -141,7 +141,7 @@ TEST_CASE("Friction of bad input is refused", "[6.2]") {
          [&](double j) { return friction_impulse(1.0, v, up, j, 0.5); });
   refuse(f, below_zero(), "friction",
          [&](double mu) { return friction_impulse(1.0, v, up, 1.0, mu); });
-  refuse(f, no_normals(), "normal", unit,
+  refuse(f, no_normals(), "normal", unit_normal,
          [&](const Vec3& n) { return friction_impulse(1.0, v, n, 1.0, 0.5); });
   refuse(f, {nan_vector, infinite_vector}, "velocity", must_be_finite,
          [&](const Vec3& u) { return friction_impulse(1.0, u, up, 1.0, 0.5); });
@@ -153,8 +153,9 @@ TEST_CASE("Corrections of bad input are refused", "[6.3]") {
   refuse(f,
          {{not_a_number, must_be_finite}, {infinite, must_be_finite}, {-infinite, must_be_finite}},
          "gap", [](double gap) { return normal_correction(gap, up); });
-  refuse(f, no_normals(), "normal", unit, [](const Vec3& n) { return normal_correction(-1.0, n); });
-  refuse(g, no_normals(), "normal", unit,
+  refuse(f, no_normals(), "normal", unit_normal,
+         [](const Vec3& n) { return normal_correction(-1.0, n); });
+  refuse(g, no_normals(), "normal", unit_normal,
          [](const Vec3& n) { return tangential_correction(Vec3::UnitX(), n, 1.0, 0.5); });
   refuse(g, {nan_vector, infinite_vector}, "displacement", must_be_finite,
          [](const Vec3& d) { return tangential_correction(d, up, 1.0, 0.5); });
@@ -198,7 +199,7 @@ TEST_CASE("Contacts and impulses that cannot be are refused", "[6.5]") {
   const RigidBody good;
   const std::string f = "6.5 contact_impulse";
   const std::vector<Vec3> bad_vectors{nan_vector, infinite_vector};
-  refuse(f, no_normals(), "contact.normal", unit, [&](const Vec3& n) {
+  refuse(f, no_normals(), "contact.normal", unit_normal, [&](const Vec3& n) {
     return contact_impulse(good, good, {Vec3::Zero(), n}, {});
   });
   refuse(f, bad_vectors, "contact.point", must_be_finite, [&](const Vec3& p) {

@@ -19,24 +19,26 @@ void expect_out(double gap, const Vec3& normal, int index = 1, int count = 1) {
                {Vec3(-gap * normal), "a particle outside is pulled to the surface"}});
 }
 
-struct Case {
+struct CorrectionCase {
   Vec3 displacement;
   Vec3 normal;
   double normal_length;
   double friction;
 };
 
-VecL slip(const Case& c) { return tests::tangential(wide(c.displacement), wide(c.normal)); }
+VecL slip(const CorrectionCase& c) {
+  return tests::tangential(wide(c.displacement), wide(c.normal));
+}
 
-Vec3 exact(const Case& c) {
+Vec3 exact_correction(const CorrectionCase& c) {
   return tests::narrow(tests::braked(slip(c), wide(c.friction) * wide(c.normal_length)));
 }
 
-std::vector<tests::Suspect<Vec3>> suspects_of(const Case& c) {
+std::vector<tests::Suspect<Vec3>> correction_suspects(const CorrectionCase& c) {
   const VecL d_t = slip(c);
   const VecL unit = d_t.norm() == 0 ? VecL(VecL::Zero()) : VecL(d_t.normalized());
   const tests::Real cone = wide(c.friction) * wide(c.normal_length);
-  return {{-exact(c), "the correction is along the slip: it slides on"},
+  return {{-exact_correction(c), "the correction is along the slip: it slides on"},
           {tests::narrow(-d_t), "all of the motion is undone: it may not be more than mu d_n"},
           {tests::narrow(-cone * unit), "it is always mu d_n: never more than the slip itself"},
           {tests::narrow(tests::braked(d_t, wide(c.normal_length))), "mu is missing"},
@@ -45,14 +47,14 @@ std::vector<tests::Suspect<Vec3>> suspects_of(const Case& c) {
           {Vec3::Zero(), "there is no tangential correction"}};
 }
 
-void expect_back(const Case& c, const tests::Bound& bound, int index = 1, int count = 1) {
+void expect_back(const CorrectionCase& c, const tests::Bound& bound, int index = 1, int count = 1) {
   Trial("6.3 tangential_correction", index, count)
       .given("displacement", c.displacement)
       .given("normal", c.normal)
       .given("normal_length", c.normal_length)
       .given("friction", c.friction)
       .expect(tangential_correction(c.displacement, c.normal, c.normal_length, c.friction),
-              exact(c), bound, suspects_of(c));
+              exact_correction(c), bound, correction_suspects(c));
 }
 
 }  // namespace
@@ -87,7 +89,7 @@ TEST_CASE("Sliding is undone up to mu times the depth", "[6.3]") {
 TEST_CASE("The tangential correction is the friction rule on positions", "[6.3]") {
   tests::Random random(642);
   for (int i = 1; i <= 100; ++i) {
-    Case c{random.vector(0.3), random.direction(), 0.0, random.uniform(0.2, 0.9)};
+    CorrectionCase c{random.vector(0.3), random.direction(), 0.0, random.uniform(0.2, 0.9)};
     const double share = i % 2 == 0 ? random.uniform(0.05, 0.95) : random.uniform(1.05, 4.0);
     c.normal_length = share * static_cast<double>(slip(c).norm()) / c.friction;
     expect_back(c,

@@ -8,9 +8,9 @@ using tests::Trial;
 
 namespace {
 
-constexpr double g = 9.81;
+constexpr double weight = 9.81;
 constexpr double top_speed = 1.0;
-const double exact_cos = 2.0 / 3.0 + top_speed * top_speed / (3.0 * g);
+const double exact_cos = 2.0 / 3.0 + top_speed * top_speed / (3.0 * weight);
 const double exact_angle = std::acos(exact_cos);
 
 struct Departure {
@@ -20,7 +20,7 @@ struct Departure {
 
 Departure slide(double dt) {
   Particle particle{1.0, Vec3::UnitZ(), Vec3(0.0, top_speed, 0.0)};
-  const Vec3 gravity(0.0, 0.0, -g);
+  const Vec3 gravity(0.0, 0.0, -weight);
   double angle = 0.0;
   double push = 0.0;
   Departure departure;
@@ -70,7 +70,7 @@ TEST_CASE("The particle is let go late by the root of dt", "[6.4]") {
   // rises at 3 g ω sin θ, so that after τ it is 3/2 g ω sin θ τ². A step ends outside once that is
   // more than what symplectic Euler cuts off a curve, dt (g cos θ − v²/2R) = dt g cos θ / 2:
   // ω τ = √(ω dt / (3 tan θ)).
-  const double omega = std::sqrt(g * exact_cos);
+  const double omega = std::sqrt(weight * exact_cos);
   int index = 0;
   for (const double dt : {1e-3, 1e-4, 1e-5}) {
     const double late = std::sqrt(omega * dt / (3.0 * std::tan(exact_angle)));

@@ -9,7 +9,7 @@ using tests::wide;
 
 namespace {
 
-struct Case {
+struct FrictionCase {
   double mass;
   Vec3 velocity;
   Vec3 normal;
@@ -17,9 +17,9 @@ struct Case {
   double friction;
 };
 
-VecL slip(const Case& c) { return tests::tangential(wide(c.velocity), wide(c.normal)); }
+VecL slip(const FrictionCase& c) { return tests::tangential(wide(c.velocity), wide(c.normal)); }
 
-Vec3 exact(const Case& c) {
+Vec3 exact_friction(const FrictionCase& c) {
   return tests::narrow(
       tests::braked(wide(c.mass) * slip(c), wide(c.friction) * wide(c.normal_impulse)));
 }
@@ -29,12 +29,12 @@ Vec3 along(tests::Real size, const VecL& v) {
   return tests::narrow(v.norm() == 0 ? VecL(VecL::Zero()) : VecL(-size / v.norm() * v));
 }
 
-std::vector<tests::Suspect<Vec3>> suspects_of(const Case& c) {
+std::vector<tests::Suspect<Vec3>> friction_suspects(const FrictionCase& c) {
   const VecL v_t = slip(c);
   const VecL v = wide(c.velocity);
   const tests::Real m = wide(c.mass);
   const tests::Real cone = wide(c.friction) * wide(c.normal_impulse);
-  return {{-exact(c), "friction is along the slip: it pushes on"},
+  return {{-exact_friction(c), "friction is along the slip: it pushes on"},
           {along(m * v_t.norm(), v_t), "friction stops all slip: it may not leave the cone mu j_n"},
           {along(cone, v_t), "friction is always mu j_n: it may not turn a small slip round"},
           {along(std::min(cone, v_t.norm()), v_t), "the mass is missing in m |v_t|"},
@@ -46,7 +46,8 @@ std::vector<tests::Suspect<Vec3>> suspects_of(const Case& c) {
           {Vec3::Zero(), "there is no friction"}};
 }
 
-void expect_friction(const Case& c, const tests::Bound& bound, int index = 1, int count = 1) {
+void expect_friction(const FrictionCase& c, const tests::Bound& bound, int index = 1,
+                     int count = 1) {
   Trial("6.2 friction_impulse", index, count)
       .given("mass", c.mass)
       .given("velocity", c.velocity)
@@ -54,18 +55,18 @@ void expect_friction(const Case& c, const tests::Bound& bound, int index = 1, in
       .given("normal_impulse", c.normal_impulse)
       .given("friction", c.friction)
       .expect(friction_impulse(c.mass, c.velocity, c.normal, c.normal_impulse, c.friction),
-              exact(c), bound, suspects_of(c));
+              exact_friction(c), bound, friction_suspects(c));
 }
 
 /// m |v_t| is what stops the slip; the cone allows `share` of it.
-Case random_case(tests::Random& random, double share) {
-  Case c{random.uniform(1.5, 5.0), random.vector(3.0), random.direction(), 0.0,
-         random.uniform(0.2, 0.9)};
+FrictionCase random_case(tests::Random& random, double share) {
+  FrictionCase c{random.uniform(1.5, 5.0), random.vector(3.0), random.direction(), 0.0,
+                 random.uniform(0.2, 0.9)};
   c.normal_impulse = share * c.mass * static_cast<double>(slip(c).norm()) / c.friction;
   return c;
 }
 
-tests::Bound rounding(const Case& c) {
+tests::Bound rounding(const FrictionCase& c) {
   return {32.0 * eps * c.mass * c.velocity.norm(),
           "v_t errs by 3 eps |v|, and its direction by as much over |v_t|"};
 }
@@ -87,7 +88,7 @@ TEST_CASE("What slips little is stopped and not turned round", "[6.2]") {
 TEST_CASE("Friction is that of maximum dissipation for any slip", "[6.2]") {
   tests::Random random(631);
   for (int i = 1; i <= 100; ++i) {
-    const Case c =
+    const FrictionCase c =
         random_case(random, i % 2 == 0 ? random.uniform(0.05, 0.95) : random.uniform(1.05, 4.0));
     expect_friction(c, rounding(c), i, 100);
   }
@@ -96,7 +97,7 @@ TEST_CASE("Friction is that of maximum dissipation for any slip", "[6.2]") {
 TEST_CASE("The normal speed is left alone and no friction leaves the cone", "[6.2]") {
   tests::Random random(632);
   for (int i = 1; i <= 50; ++i) {
-    const Case c = random_case(random, random.uniform(0.05, 4.0));
+    const FrictionCase c = random_case(random, random.uniform(0.05, 4.0));
     const Vec3 j = friction_impulse(c.mass, c.velocity, c.normal, c.normal_impulse, c.friction);
     const Trial trial = Trial("6.2 friction_impulse", i, 50)
                             .given("mass", c.mass)
@@ -112,7 +113,7 @@ TEST_CASE("The normal speed is left alone and no friction leaves the cone", "[6.
 TEST_CASE("No other impulse in the cone takes as much energy", "[6.2]") {
   tests::Random random(633);
   for (int i = 1; i <= 50; ++i) {
-    const Case c = random_case(random, i % 2 == 0 ? 0.5 : 1.5);
+    const FrictionCase c = random_case(random, i % 2 == 0 ? 0.5 : 1.5);
     const Vec3 j = friction_impulse(c.mass, c.velocity, c.normal, c.normal_impulse, c.friction);
     const auto energy = [&](const Vec3& impulse) {
       return 0.5 * c.mass * (c.velocity + impulse / c.mass).squaredNorm();
@@ -149,7 +150,7 @@ TEST_CASE("Without slip or pressure or roughness there is no friction", "[6.2]")
 TEST_CASE("However slowly it slips it is braked", "[6.2]") {
   int index = 0;
   for (const double speed : {1e-6, 1e-12, 1e-100}) {
-    const Case c{2.0, Vec3(3.0 * speed, 4.0 * speed, 0.0), Vec3::UnitZ(), 1.0, 0.5};
+    const FrictionCase c{2.0, Vec3(3.0 * speed, 4.0 * speed, 0.0), Vec3::UnitZ(), 1.0, 0.5};
     expect_friction(c, rounding(c), ++index, 3);
   }
 }

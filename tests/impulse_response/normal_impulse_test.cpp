@@ -7,20 +7,20 @@ using tests::Trial;
 
 namespace {
 
-struct Case {
+struct NormalCase {
   double mass;
   Vec3 velocity;
   Vec3 normal;
   double restitution;
 };
 
-double exact(const Case& c) {
+double exact_normal(const NormalCase& c) {
   const auto v_n = tests::wide(c.normal).dot(tests::wide(c.velocity));
   const auto e = tests::wide(c.restitution);
   return v_n < 0 ? static_cast<double>(-(1 + e) * tests::wide(c.mass) * v_n) : 0.0;
 }
 
-std::vector<tests::Suspect<double>> suspects_of(const Case& c) {
+std::vector<tests::Suspect<double>> normal_suspects(const NormalCase& c) {
   const double v_n = c.normal.dot(c.velocity);
   const double m = c.mass;
   const double e = c.restitution;
@@ -35,24 +35,24 @@ std::vector<tests::Suspect<double>> suspects_of(const Case& c) {
            "the whole speed counts, not its normal part"}};
 }
 
-void expect_impulse(const Case& c, const tests::Bound& bound, int index = 1, int count = 1) {
+void expect_impulse(const NormalCase& c, const tests::Bound& bound, int index = 1, int count = 1) {
   Trial("6.1 normal_impulse", index, count)
       .given("mass", c.mass)
       .given("velocity", c.velocity)
       .given("normal", c.normal)
       .given("restitution", c.restitution)
-      .expect(normal_impulse(c.mass, c.velocity, c.normal, c.restitution), exact(c), bound,
-              suspects_of(c));
+      .expect(normal_impulse(c.mass, c.velocity, c.normal, c.restitution), exact_normal(c), bound,
+              normal_suspects(c));
 }
 
-Case random_case(tests::Random& random) {
+NormalCase random_case(tests::Random& random) {
   const double mass = random.uniform(0.2, 5.0);
   const Vec3 velocity = random.vector(3.0);
   const Vec3 normal = random.direction();
   return {mass, velocity, normal, random.uniform(0.0, 1.0)};
 }
 
-tests::Bound rounding(const Case& c) {
+tests::Bound normal_rounding(const NormalCase& c) {
   return {16.0 * eps * c.mass * c.velocity.norm(), "a dot product and three factors"};
 }
 
@@ -73,9 +73,9 @@ TEST_CASE("The normal impulse is that of any mass and direction", "[6.1]") {
   tests::Random random(621);
   int impacts = 0;
   for (int i = 1; i <= 100; ++i) {
-    const Case c = random_case(random);
-    impacts += exact(c) > 0.0 ? 1 : 0;
-    expect_impulse(c, rounding(c), i, 100);
+    const NormalCase c = random_case(random);
+    impacts += exact_normal(c) > 0.0 ? 1 : 0;
+    expect_impulse(c, normal_rounding(c), i, 100);
   }
   REQUIRE(impacts > 20);
   REQUIRE(impacts < 80);
@@ -85,7 +85,7 @@ TEST_CASE("The particle leaves e times as fast as it came", "[6.1]") {
   tests::Random random(622);
   for (const double e : {0.0, 0.5, 1.0}) {
     for (int i = 1; i <= 20; ++i) {
-      Case c = random_case(random);
+      NormalCase c = random_case(random);
       c.restitution = e;
       if (c.normal.dot(c.velocity) > 0.0) c.normal = -c.normal;
       const double j = normal_impulse(c.mass, c.velocity, c.normal, e);
@@ -105,7 +105,7 @@ TEST_CASE("The particle leaves e times as fast as it came", "[6.1]") {
 TEST_CASE("The slower a particle the smaller the impulse and no speed is too small", "[6.1]") {
   int index = 0;
   for (const double speed : {1e-3, 1e-9, 1e-100, 1e100}) {
-    const Case c{2.0, Vec3(0.0, -speed, 0.0), Vec3::UnitY(), 0.25};
-    expect_impulse(c, rounding(c), ++index, 4);
+    const NormalCase c{2.0, Vec3(0.0, -speed, 0.0), Vec3::UnitY(), 0.25};
+    expect_impulse(c, normal_rounding(c), ++index, 4);
   }
 }

@@ -56,7 +56,7 @@ StepInput random_input(tests::Random& random, int index, double height) {
 }
 
 /// m = 2 comes down at 6 after gravity, and ends 1 deep: j_n = 18, mu j_n = 4.5, d_t = 0.75.
-StepInput worked_by_hand() {
+StepInput projection_by_hand() {
   return {{2.0, Vec3(0.0, 0.0, 0.5), Vec3(3.0, 0.0, -4.0)},
           common::Plane{},
           {0.5, 0.25},
@@ -65,18 +65,18 @@ StepInput worked_by_hand() {
           {}};
 }
 
-const tests::Bound exact{4.0 * eps, "small fractions of powers of two"};
+const tests::Bound exact_fractions{4.0 * eps, "small fractions of powers of two"};
 
 }  // namespace
 
 TEST_CASE("A step into the ground is worked by hand", "[6.4]") {
-  const StepInput in = worked_by_hand();
+  const StepInput in = projection_by_hand();
   const StepValue wanted{Vec3(0.5, 0.0, 0.0), Vec3(0.75, 0.0, 3.0), Vec3(-4.5, 0.0, 18.0)};
   std::vector<tests::Suspect<StepValue>> suspects;
   for (const auto& [flaw, story] : tests::flaws()) {
     suspects.push_back({tests::projected_step(in, flaw), story});
   }
-  trial_of(in, 1, 1).expect(tests::projected_by_answer(in), wanted, exact, suspects);
+  trial_of(in, 1, 1).expect(tests::projected_by_answer(in), wanted, exact_fractions, suspects);
 }
 
 TEST_CASE("In flight velocity comes before position and nothing else happens", "[6.4]") {
@@ -124,11 +124,11 @@ TEST_CASE("What is inside and parts gets no impulse but is moved out", "[6.4]") 
 }
 
 TEST_CASE("Without time a particle inside is moved out and its approach is stopped", "[6.4]") {
-  StepInput in = worked_by_hand();
+  StepInput in = projection_by_hand();
   in.dt = 0.0;
-  expect_step(in, exact, 1, 2);
+  expect_step(in, exact_fractions, 1, 2);
   in.particle.position.z() = -0.5;
-  expect_step(in, exact, 2, 2);
+  expect_step(in, exact_fractions, 2, 2);
 }
 
 TEST_CASE("Gap and impulse are never below zero and one of them is zero", "[6.4]") {
@@ -143,6 +143,6 @@ TEST_CASE("Gap and impulse are never below zero and one of them is zero", "[6.4]
     trial_of(in, i, 100).expect_small("|min(phi, lambda)|", std::abs(residual), rounding(in));
     impulses += lambda > 0.0 ? 1 : 0;
   }
-  trial_of(worked_by_hand(), 1, 1)
+  trial_of(projection_by_hand(), 1, 1)
       .expect_small("30 - how many of 100 hit", 30.0 - impulses, {0.0, "most come down"});
 }

@@ -86,7 +86,7 @@ void refuse_steps(const std::string& function, const Call& call) {
     refused(with([&](auto& in) { in.obstacle = common::Plane{bad, up}; }), must_be_finite);
   }
   for (const Vec3& bad : no_normals()) {
-    refused(with([&](auto& in) { in.obstacle = common::Plane{Vec3::Zero(), bad}; }), unit);
+    refused(with([&](auto& in) { in.obstacle = common::Plane{Vec3::Zero(), bad}; }), unit_normal);
   }
   for (const double bad : {0.0, -1.0, not_a_number, infinite}) {
     refused(with([&](auto& in) { in.obstacle = common::Cylinder{bad}; }),

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+#include "bvh_traversal.hpp"
+#include "common/attitude.hpp"
+#include "common/meshes.hpp"
+
+/// What moves in the scene, and which boxes of the trees are drawn.
+namespace lab::bvh_traversal {
+
+using common::Mat3;
+
+inline constexpr double duration = 4.0;            ///< [s]
+inline constexpr std::size_t triangles_of = 2304;  ///< a torus
+inline constexpr int leaf_size = 4;
+inline constexpr int drawn_level = 5;
+
+/// How far a's middle is from the world's, and b's on the other side [m]: they change sides at a
+/// constant speed.
+inline double way(double time) { return 1.3 * (2.0 * time / duration - 1.0); }
+
+/// The pose of a torus's frame in the world.
+inline RigidTransform world_from_a(double time) {
+  return {Mat3(common::exponential_map({0.35, 0.0, 0.0})), {way(time), 0.0, 0.0}};
+}
+inline RigidTransform world_from_b(double time) {
+  const double turn = (0.45 + 0.4 * time / duration) * std::numbers::pi;
+  return {Mat3(common::exponential_map({turn, 0.0, 0.0})), {-way(time), 0.0, 0.0}};
+}
+
+inline RigidTransform a_from_b(double time) {
+  const RigidTransform a = world_from_a(time);
+  const RigidTransform b = world_from_b(time);
+  const Mat3 a_from_world = a.rotation.transpose();
+  return {a_from_world * b.rotation, a_from_world * (b.translation - a.translation)};
+}
+
+/// The boxes of one level, and of leaves above it, and which of them each triangle is in. Of an
+/// answer's tree, which may be wrong: what leads out of it is left out.
+struct Level {
+  std::vector<Box> boxes;
+  std::vector<std::size_t> box_of_triangle;  ///< boxes.size() for one that no leaf has
+};
+
+/// Children stand behind their parent, so a pass from front to back knows all parents.
+inline Level level_of(const Bvh& bvh, std::size_t triangles) {
+  struct Place {
+    int depth = -1;
+    std::size_t box = 0;
+  };
+  std::vector<Place> places(bvh.nodes.size());
+  Level level;
+  std::vector<std::size_t> owners(triangles, SIZE_MAX);
+  for (std::size_t i = 0; i < bvh.nodes.size(); ++i) {
+    const BvhNode& node = bvh.nodes[i];
+    Place& place = places[i];
+    if (i == 0) place.depth = 0;
+    if (place.depth < 0) continue;
+    if (place.depth == drawn_level || (place.depth < drawn_level && node.count > 0)) {
+      place.box = level.boxes.size();
+      level.boxes.push_back(node.box);
+    }
+    const std::size_t first = node.first;
+    if (node.count == 0 && first > i && first + 1 < bvh.nodes.size()) {
+      places[first] = places[first + 1] = {place.depth + 1, place.box};
+    }
+    const std::size_t end = std::min(first + node.count, bvh.triangles.size());
+    for (std::size_t entry = first; entry < end; ++entry) {
+      const std::size_t triangle = bvh.triangles[entry];
+      if (triangle < triangles) owners[triangle] = place.box;
+    }
+  }
+  for (std::size_t& owner : owners) owner = std::min(owner, level.boxes.size());
+  level.box_of_triangle = owners;
+  return level;
+}
+
+}  // namespace lab::bvh_traversal

@@ -120,7 +120,7 @@ render::Film make_film() {
       "red: triangles that meet; lines: the boxes of level 5 that hold them; linked rings meet "
       "nowhere";
   film.duration = duration;
-  film.strip_times = {0.3, 0.7, 1.25, 2.0};
+  film.strip_times = {0.4, 1.25, 2.0};
   film.bounds = {{-2.45, -0.75, -1.2}, {2.45, 0.75, 1.2}};
   film.towards_eye = {0.25, -2.2, 0.75};
 

@@ -16,7 +16,7 @@ namespace lab::bvh_traversal {
 using common::Mat3;
 
 inline constexpr double duration = 4.0;            ///< [s]
-inline constexpr std::size_t triangles_of = 2304;  ///< a torus
+inline constexpr std::size_t triangles_of = 1936;  ///< a torus
 inline constexpr int leaf_size = 4;
 inline constexpr int drawn_level = 5;
 

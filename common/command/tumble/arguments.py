@@ -78,7 +78,7 @@ def make_parser() -> argparse.ArgumentParser:
     _add_frames(lab_command("frames", "pictures", "draw lab N's scene: frames and film strip"))
     _add_chart(lab_command("chart", "pictures", "measure lab N's methods: error against time"))
     command("doctor", "doctor", "say what is installed, what for, and what to do about the rest")
-    command("handout", "later", "pack what students get").add_argument(
+    command("handout", "handout", "pack what students get").add_argument(
         "file", metavar="FILE.tar.gz")
     command("grade", "later", "grade a folder of submissions").add_argument("folder", metavar="DIR")
     return parser

@@ -1,5 +1,6 @@
 """A student unpacks the hand-out, tests, looks, and writes one step. It builds: minutes."""
 
+import os
 import re
 import shutil
 import subprocess
@@ -16,7 +17,8 @@ STEPS = ("1.1", "1.2", "1.3", "1.4", "1.5", "1.6")
 
 
 def body(text: str, function: str) -> str:
-    found = re.search(rf"^\w[^\n]* {function}\([^{{]*\{{\n.*?^\}}\n", text, re.MULTILINE | re.DOTALL)
+    found = re.search(rf"^\w[^\n]* {function}\([^{{]*\{{\n.*?^\}}\n", text,
+                      re.MULTILINE | re.DOTALL)
     assert found, function
     return found.group(0)
 
@@ -67,7 +69,6 @@ class Student(unittest.TestCase):
 
 def _environment() -> dict[str, str]:
     """Of this process, without what would make the build another one."""
-    import os
     return {name: value for name, value in os.environ.items()
             if not name.startswith(("CMAKE_GENERATOR", "TUMBLE", "LC_"))}
 

@@ -71,7 +71,8 @@ class Content(unittest.TestCase):
     def test_modes_times_and_owners_are_the_same_everywhere(self) -> None:
         for member in self.members:
             self.assertTrue(member.isreg())
-            self.assertEqual((member.mtime, member.uid, member.gid, member.uname), (946684800, 0, 0, ""))
+            self.assertEqual((member.mtime, member.uid, member.gid, member.uname),
+                             (946684800, 0, 0, ""))
             self.assertEqual(member.mode, 0o755 if member.name == "tumble/tumble" else 0o644)
         names = [member.name for member in self.members if member.name != "tumble/README.md"]
         self.assertEqual(names, sorted(names))

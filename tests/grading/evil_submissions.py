@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Callable, Optional
 
 from evil_archives import (GOOD, NAME, bomb_tar, bomb_zip, deep, folder, huge_header, lying_zip,
-                           many, tar_member, text, truncated, write_tar, write_zip, xz_of_wide_window,
-                           zip_with_flag)
+                           many, tar_member, text, truncated, write_tar, write_zip,
+                           xz_of_wide_window, zip_with_flag)
 
 LINK = 0o120777
 FIFO = 0o010644

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Sequence
 
-from .score import BLOCKED, GRADED, PASS, LabResult, StepResult
+from .score import BLOCKED, GRADED, NOT_WRITTEN, PASS, LabResult, StepResult
 
 _UNBOXED = "Graded without the sandbox: for a look only."
 
@@ -48,16 +48,18 @@ def flaw_line(lab: LabResult) -> str:
 
 def step_lines(step: StepResult) -> list[str]:
     """What became of the step, in words that are safe to show."""
-    if not step.cases:
-        return [step.word]
     passed = sum(case.word == PASS for case in step.cases)
+    if not step.cases or (step.word == NOT_WRITTEN and not passed):
+        return [step.word]
     lines = [f"{passed} of {len(step.cases)} tests pass"]
     if step.word.startswith(BLOCKED):
         lines.append(f"{step.word}: put that right first, this one may be right")
+    told = {""}
     for case in step.cases:
         if case.word != PASS:
             signal = f" ({case.signal})" if case.signal else ""
-            likely = f"; likely: {case.likely}" if case.likely else ""
+            likely = f"; likely: {case.likely}" if case.likely not in told else ""
+            told.add(case.likely)
             lines.append(f"{case.word}{signal}: {case.title}{likely}")
     return lines
 

@@ -5,8 +5,8 @@
                "2.8": {"points": 15, "bonus": true, "depends_on": ["2.1"]}}}
 
 The points of a lab are 100; those of a bonus step come on top. Where a step and one that it depends
-on both fail, the later one is shown as blocked: it may be right. undefined_behaviour is what it costs
-that the sanitizers found something, zero or less.
+on both fail, the later one is shown as blocked: it may be right. undefined_behaviour, zero or less,
+is added where the sanitizers find something.
 """
 
 from __future__ import annotations

@@ -42,11 +42,12 @@ def _lab(lab: LabResult) -> str:
         parts.append('<p class="alarm">Graded without the sandbox: for a look only.</p>')
     parts += [f'<p class="alarm">{escape(_capital(note))}.</p>' for note in lab.notes]
     if lab.flaw:
-        parts.append(f'<p class="alarm">{escape(flaw_line(lab))}</p>')
+        parts.append(f'<p class="alarm">{escape(flaw_line(lab)).replace("-", "−", 1)}</p>')
     if lab.diagnostics:
         parts.append("<h3>The compiler says</h3>"
                      f'<pre tabindex="0">{escape(lab.diagnostics)}</pre>')
-    parts.append('<ol class="steps">' + "".join(_step(step) for step in lab.steps) + "</ol>")
+    if lab.status == GRADED:
+        parts.append('<ol class="steps">' + "".join(map(_step, lab.steps)) + "</ol>")
     return "".join(parts) + "</section>"
 
 

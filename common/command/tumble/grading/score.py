@@ -22,6 +22,7 @@ MISSING = "not handed in"
 REFUSED = "cannot be read"
 NO_BUILD = "does not compile"
 GRADER_ERROR = "grader error"
+SANITIZERS = "sanitizers"
 
 _SIGNAL = re.compile(r"\bSIG[A-Z]{2,6}\b")
 _BLOCKED = re.compile(re.escape(BLOCKED) + r"\d+\.\d+")
@@ -100,14 +101,14 @@ def graded(lab: Lab, table: Table, expected: Sequence[tuple[str, str]], judged: 
     """Points for the steps of which every case passed under every seed."""
     remarks = list(judged.notes)
     if not judged.compiled:
-        return ungraded(lab, table, NO_BUILD, "the file does not compile", notes, remarks)._replace(
+        return ungraded(lab, table, NO_BUILD, "no test could be run", notes, remarks)._replace(
             diagnostics=clean(judged.diagnostics), sandboxed=judged.sandboxed)
     error = disagreement(expected, judged.cases, seeds)
     if error:
         return ungraded(lab, table, GRADER_ERROR, "the grader failed on this file, not you", notes,
                         [*remarks, error])._replace(sandboxed=judged.sandboxed)
     if judged.sanitizer:
-        remarks.append(f"sanitizers: {clean(judged.sanitizer)}")
+        remarks.append(f"{SANITIZERS}: {clean(judged.sanitizer)}")
     flaw = fixed_words(judged.sanitizer, lab.stub.name)
     return LabResult(lab.folder, lab.heading, GRADED, "", _steps(lab, table, judged.cases),
                      table.undefined_behaviour if judged.sanitizer else 0, flaw,

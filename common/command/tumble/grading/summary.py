@@ -12,7 +12,7 @@ from typing import Mapping, Sequence
 from ..labs import Lab
 from .files import RECORDS, csv_text, read_record, write
 from .report import page
-from .score import GRADED, MISSING, PASS, LabResult
+from .score import GRADED, MISSING, PASS, SANITIZERS, LabResult
 
 _BINS = 10
 Class = Mapping[str, Mapping[str, LabResult]]
@@ -65,7 +65,8 @@ def remarks(results: Sequence[LabResult]) -> str:
         words += result.notes
         words += [result.flaw] if result.flaw else []
         words += [] if result.sandboxed else ["not sandboxed"]
-        words += [remark.split("\n", 1)[0] for remark in result.remarks]
+        words += [remark.split("\n", 1)[0] for remark in result.remarks
+                  if not remark.startswith(SANITIZERS)]
     return "; ".join(dict.fromkeys(words))
 
 
@@ -98,13 +99,13 @@ def histogram(scores: Sequence[int]) -> str:
     tallest = max(counts + [1])
     label = ", ".join(f"{10 * i} to {10 * i + 9 if i < 9 else 100}: {count}"
                       for i, count in enumerate(counts))
-    parts = [f'<svg viewBox="0 0 420 150" role="img" aria-label="Scores: {label}">',
-             '<line x1="0" y1="120.5" x2="420" y2="120.5"/>']
+    parts = [f'<svg viewBox="0 0 470 150" role="img" aria-label="Scores: {label}">',
+             '<line x1="0" y1="120.5" x2="470" y2="120.5"/>']
     for i, count in enumerate(counts):
         height = 100.0 * count / tallest
-        middle = 42 * i + 21
+        middle = 47 * i + 23
         if count:
-            parts.append(f'<rect class="column" x="{42 * i + 2}" y="{120 - height:.1f}" width="38" '
+            parts.append(f'<rect class="column" x="{47 * i + 3}" y="{120 - height:.1f}" width="41" '
                          f'height="{height:.1f}" rx="3"/><text class="count" x="{middle}" '
                          f'y="{115 - height:.1f}" text-anchor="middle">{count}</text>')
         parts.append(f'<text x="{middle}" y="138" text-anchor="middle">'
@@ -122,7 +123,8 @@ def _steps(results: Sequence[LabResult]) -> str:
         width = 320.0 * done / len(handed_in)
         parts.append(f'<text x="0" y="{24 * i + 17}">{row.step}</text>'
                      f'<rect class="column" x="40" y="{24 * i + 4}" width="{width:.1f}" '
-                     f'height="16" rx="3"/><text class="count" x="{46 + width:.1f}" y="{24 * i + 17}">'
+                     f'height="16" rx="3"/>'
+                     f'<text class="count" x="{46 + width:.1f}" y="{24 * i + 17}">'
                      f'{100 * done / len(handed_in):.0f} %</text>')
     return "".join(parts) + "</svg>"
 

@@ -11,7 +11,7 @@ import shutil
 import subprocess
 import tarfile
 from pathlib import Path
-from typing import Iterator, Optional
+from typing import Iterator, Mapping, Optional
 
 from .console import BAD_USAGE, Failure, say
 from .labs import Lab, find_labs, require_solutions
@@ -44,11 +44,12 @@ def run(root: Path, options: argparse.Namespace) -> int:
     tracked = _tracked(root)
     files = sorted(_files(root, labs))
     left_out = [name for name in files if tracked is not None and name not in tracked]
-    packed = _packed(root, [name for name in files if name not in left_out])
-    _write(target, packed)
+    content = packed(root, [name for name in files if name not in left_out],
+                     {_OVERVIEW: "README.md"})
+    replace(target, content)
     if left_out:
         say(f"Left out, since git does not track it: {', '.join(left_out)}")
-    say(f"{target}: {len(files) - len(left_out)} files, {len(packed) / 1e6:.1f} MB, "
+    say(f"{target}: {len(files) - len(left_out)} files, {len(content) / 1e6:.1f} MB, "
         f"{len(labs)} labs, no solutions. To try it: tar xf {target.name} && cd {FOLDER} && "
         "./tumble test 1")
     return 0
@@ -87,27 +88,34 @@ def _require_stub(lab: Lab) -> None:
                       "put the stub back first")
 
 
-def _packed(root: Path, names: list[str]) -> bytes:
-    packed = io.BytesIO()
-    with gzip.GzipFile("", "wb", 9, packed, mtime=0) as stream, tarfile.open(
+def whole_kit(root: Path) -> list[str]:
+    """Names of all that belongs to the kit, for a machine that grades."""
+    tracked = _tracked(root)
+    names = (path.relative_to(root).as_posix() for path in root.rglob("*")
+             if path.is_file() and not path.is_symlink())
+    return sorted(name for name in names if name in tracked) if tracked is not None else sorted(
+        name for name in names if not re.match(r"(build|out|\.git)/|.*__pycache__", name))
+
+
+def packed(root: Path, names: list[str], renamed: Optional[Mapping[str, str]] = None) -> bytes:
+    archive_bytes = io.BytesIO()
+    with gzip.GzipFile("", "wb", 9, archive_bytes, mtime=0) as stream, tarfile.open(
             fileobj=stream, mode="w", format=tarfile.USTAR_FORMAT) as archive:
         for name in names:
-            if name != _OVERVIEW:
-                _add(archive, name, (root / name).read_bytes())
-            else:
-                _add(archive, "README.md", (root / name).read_bytes())
-    return packed.getvalue()
+            runs = os.access(root / name, os.X_OK)
+            _add(archive, (renamed or {}).get(name, name), (root / name).read_bytes(), runs)
+    return archive_bytes.getvalue()
 
 
-def _add(archive: tarfile.TarFile, name: str, content: bytes) -> None:
+def _add(archive: tarfile.TarFile, name: str, content: bytes, runs: bool) -> None:
     member = tarfile.TarInfo(f"{FOLDER}/{name}")
     member.size = len(content)
     member.mtime = _TIME
-    member.mode = 0o755 if name == "tumble" else 0o644
+    member.mode = 0o755 if runs else 0o644
     archive.addfile(member, io.BytesIO(content))
 
 
-def _write(target: Path, content: bytes) -> None:
+def replace(target: Path, content: bytes) -> None:
     """In one move, so that nobody can hand out half of it."""
     draft = target.with_name(f".{target.name}.draft")
     try:

@@ -1,4 +1,4 @@
-"""The bundle for Gradescope, packed, set up and run as its documents say, in a folder of its own."""
+"""The bundle for Gradescope, packed, set up and run as its documents say, in a folder apart."""
 
 import json
 import os

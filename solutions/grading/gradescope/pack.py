@@ -1,9 +1,10 @@
 """Packs the zip that Gradescope wants as an autograder.
 
-usage: python3 solutions/grading/gradescope/pack.py FILE.zip --labs N[,N] --secret FILE [--no-sandbox]
+usage: python3 solutions/grading/gradescope/pack.py FILE.zip --labs N[,N] --secret FILE
+                                                    [--no-sandbox]
 
-FILE.zip holds setup.sh, run_autograder, the whole kit with its solutions, and the secret: keep it from
-students. --no-sandbox is for where containers may make no namespaces; results then say so.
+FILE.zip holds setup.sh, run_autograder, the whole kit with its solutions, and the secret: keep it
+from students. --no-sandbox is for where containers may make no namespaces; results then say so.
 """
 
 from __future__ import annotations
@@ -45,7 +46,8 @@ def main() -> int:
 def _pack(arguments: argparse.Namespace) -> None:
     known = {str(lab.number) for lab in graded_labs(ROOT)}
     if not set(arguments.labs.split(",")) <= known:
-        raise Failure(f"--labs {arguments.labs}: want some of {', '.join(sorted(known))}", BAD_USAGE)
+        raise Failure(f"--labs {arguments.labs}: want some of {', '.join(sorted(known))}",
+                      BAD_USAGE)
     if not re.search(r"\S{16}", arguments.secret.read_text(encoding="ascii", errors="replace")):
         raise Failure(f"the secret in {arguments.secret} is shorter than 16 bytes", BAD_USAGE)
     options = ["--labs", arguments.labs] + (["--no-sandbox"] if arguments.no_sandbox else [])

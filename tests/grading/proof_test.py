@@ -25,10 +25,8 @@ class Proof(ClassTestCase):
         self.fails("the reference has 100 points")
 
     def test_a_reference_with_undefined_behaviour_stops_the_batch(self) -> None:
-        self.write_table({"undefined_behaviour": -20, "steps": json.loads((
-            self.kit.root / "solutions/1_spin/points.json").read_text())["steps"]})
         self.kit.write("solutions/1_spin/spin.cpp", ALL + "// says sanitizer\n")
-        self.fails("the reference has 95 points")
+        self.fails("the reference has 105 points")
 
     def test_a_stub_that_was_edited_stops_the_batch(self) -> None:
         self.kit.write("labs/1_spin/spin.cpp", "// passes 1.1\n")

@@ -34,6 +34,12 @@ class Running(ClassTestCase):
             self.assertEqual(self.judged() - before, 3, path)
 
     def test_an_interrupted_batch_resumes(self) -> None:
+        for number, sign in enumerate((signal.SIGINT, signal.SIGTERM)):
+            with self.subTest(signal=sign.name):
+                self.out = self.kit.root / f"results{number}"
+                self._interrupt_and_resume(sign)
+
+    def _interrupt_and_resume(self, sign: signal.Signals) -> None:
         for i in range(8):
             self.hand_in(f"s{i}", ALL + "// waits 0.3\n")
         command = [self.kit.root / "tumble", "grade", self.folder, "--out", self.out, "--secret",
@@ -42,7 +48,7 @@ class Running(ClassTestCase):
                                    stderr=subprocess.PIPE, start_new_session=True)
         while not (self.out / "s1" / "index.html").exists():
             time.sleep(0.02)
-        os.killpg(process.pid, signal.SIGINT)
+        os.killpg(process.pid, sign)
         said = process.communicate(timeout=20)[1]
         self.assertEqual(process.returncode, 130, said)
         self.assertNotIn("Traceback", said)

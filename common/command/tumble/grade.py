@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import os
 import resource
+import signal
 import time
 from pathlib import Path
 from typing import Sequence
@@ -44,6 +45,7 @@ def _run(root: Path, options: argparse.Namespace, labs: Sequence[Lab], folder: P
         f"{'s' if len(labs) > 1 else ''} {', '.join(str(lab.number) for lab in labs)}.")
     if options.check:
         return 0
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # a cluster's way to interrupt
     begun, begun_cpu = time.monotonic(), _computing()
     failed = batch.grade_class(setting, submissions, options.jobs)
     summary.write_summary(out, labs)

@@ -14,7 +14,7 @@ from ..labs import Lab
 from . import files, gradescope, report
 from .intake import Submission, Taken, take
 from .judge import judge
-from .points import FULL, Table, expected_cases, read_table
+from .points import Table, expected_cases, read_table
 from .sandbox import Sandbox
 from .score import (GRADER_ERROR, MISSING, NOT_WRITTEN, PASS, REFUSED, LabResult, graded, ungraded)
 from .seeds import lab_seeds, mark
@@ -72,7 +72,7 @@ def prove(setting: Setting) -> None:
             continue
         reference = setting.root / "solutions" / lab.folder / lab.stub.name
         result = _judged(setting, exam, Taken(reference.read_bytes()))
-        if any(step.word != PASS for step in result.steps) or result.score < FULL:
+        if any(step.word != PASS for step in result.steps) or result.deduction:
             raise _unproven(lab, f"the reference has {result.score} points", result)
         stub = _judged(setting, exam, Taken(lab.stub.read_bytes()))
         if any(case.word != NOT_WRITTEN for step in stub.steps for case in step.cases) or (

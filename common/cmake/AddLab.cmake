@@ -8,6 +8,7 @@
 #   <other>.cpp        right answers, built otherwise: every test passes
 #   mistakes/nan.cpp   returns NaN everywhere: every test fails
 #   mistakes.cmake     the bank of mistakes where TUMBLE_MISTAKES, see add_mutant
+# Where TUMBLE_GRADE, none of these but what judges files that are handed in, see _add_judge.
 # CTest names are <N>_<name>/<answer>/<step>/<case>; labels student, stub, right, nan, mistake.
 # A hand-out may ship without the solutions folder. Where a lab has peers.cpp, its chart can be drawn
 # against other engines: <name>_peers is that file and peers_<engine>.cpp of each that is installed.
@@ -23,6 +24,10 @@ function(add_lab name)
   _read_cases(cases ${test_sources})
   _add_program(${name}_test "${test_sources}" test_support)
   target_precompile_headers(${name}_test REUSE_FROM test_support)
+  if(TUMBLE_GRADE)
+    _add_judge()
+    return()
+  endif()
   _add_program(${name}_scene scene.cpp render_scene)
   if(EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/peers.cpp")
     _add_peers()
@@ -128,6 +133,28 @@ function(_add_answer answer source flags)
       target_link_libraries(${implementation}_${kind} PRIVATE ${name}_${kind} ${implementation})
     endif()
   endforeach()
+endfunction()
+
+# The lab's tests with solutions/grading/<name>/proxy.cpp in place of an answer, and what an answer is
+# linked with to run elsewhere; see solutions/grading/contract.hpp. CMake compiles no answer here.
+# <name>_judge.txt says, a line each: the compiler, the tests, the driver, the library, then flags.
+function(_add_judge)
+  set(grading "${PROJECT_SOURCE_DIR}/solutions/grading")
+  if(NOT EXISTS "${grading}/${name}/proxy.cpp")
+    message(STATUS "${folder} is not graded: no solutions/grading/${name}/proxy.cpp")
+    return()
+  endif()
+  set(includes "${grading}" "${grading}/${name}")
+  add_executable(${name}_judge_test "${grading}/proxy.cpp" "${grading}/worker.cpp"
+    "${grading}/${name}/proxy.cpp")
+  target_include_directories(${name}_judge_test PRIVATE ${includes})
+  target_link_libraries(${name}_judge_test PRIVATE ${name}_test project_flags)
+  add_library(${name}_driver OBJECT "${grading}/driver.cpp")
+  target_include_directories(${name}_driver PRIVATE ${includes})
+  target_link_libraries(${name}_driver PRIVATE ${name}_contract project_flags)
+  set(facts "${CMAKE_CXX_COMPILER}" $<TARGET_FILE:${name}_judge_test> $<TARGET_OBJECTS:${name}_driver>
+    $<TARGET_FILE:common> $<TARGET_PROPERTY:answer_flags,INTERFACE_COMPILE_OPTIONS>)
+  file(GENERATE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/${name}_judge.txt" CONTENT "$<JOIN:${facts},\n>\n")
 endfunction()
 
 # _read_cases(<out> <file>...): the test cases as a list of <step>|<name>. They are read from the

@@ -57,7 +57,7 @@ def make_exam(root: Path, lab: Lab, secret: bytes, sandbox_mark: str) -> Exam:
 def _sources(root: Path, lab: Lab) -> list[Path]:
     patterns = ("CMakeLists.txt", "CMakePresets.json", "common/*.?pp", "common/cmake/*.cmake",
                 "common/command/tumble/grading/**/*.py", "tests/support/*.?pp",
-                "solutions/grading/*.?pp", "solutions/grading/*.cmake", f"tests/{lab.name}/*.?pp",
+                "solutions/grading/**/*.?pp", f"tests/{lab.name}/*.?pp",
                 f"labs/{lab.folder}/{lab.name}.?pp", f"labs/{lab.folder}/README.md",
                 f"solutions/{lab.folder}/*.*")
     return sorted({path for pattern in patterns for path in root.glob(pattern) if path.is_file()})

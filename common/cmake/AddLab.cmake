@@ -137,7 +137,7 @@ endfunction()
 
 # The lab's tests with solutions/grading/<name>/proxy.cpp in place of an answer, and what an answer is
 # linked with to run elsewhere; see solutions/grading/contract.hpp. CMake compiles no answer here.
-# <name>_judge.txt says, a line each: the compiler, the tests, the driver, the library, then flags.
+# build/grade/judges/<name>.json says where all of that is, and how a student's file is compiled.
 function(_add_judge)
   set(grading "${PROJECT_SOURCE_DIR}/solutions/grading")
   if(NOT EXISTS "${grading}/${name}/proxy.cpp")
@@ -152,9 +152,16 @@ function(_add_judge)
   add_library(${name}_driver OBJECT "${grading}/driver.cpp")
   target_include_directories(${name}_driver PRIVATE ${includes})
   target_link_libraries(${name}_driver PRIVATE ${name}_contract project_flags)
-  set(facts "${CMAKE_CXX_COMPILER}" $<TARGET_FILE:${name}_judge_test> $<TARGET_OBJECTS:${name}_driver>
-    $<TARGET_FILE:common> $<TARGET_PROPERTY:answer_flags,INTERFACE_COMPILE_OPTIONS>)
-  file(GENERATE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/${name}_judge.txt" CONTENT "$<JOIN:${facts},\n>\n")
+  set(options "$<JOIN:$<TARGET_PROPERTY:answer_flags,INTERFACE_COMPILE_OPTIONS>,$<SEMICOLON>>")
+  file(GENERATE OUTPUT "${PROJECT_BINARY_DIR}/judges/${name}.json" CONTENT "{
+  \"compiler\": \"${CMAKE_CXX_COMPILER}\",
+  \"test\": \"$<TARGET_FILE:${name}_judge_test>\",
+  \"strict\": \"${catch2_strict}\",
+  \"driver\": \"$<TARGET_OBJECTS:${name}_driver>\",
+  \"library\": \"$<TARGET_FILE:common>\",
+  \"eigen\": \"$<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>\",
+  \"options\": \"${CMAKE_CXX20_STANDARD_COMPILE_OPTION};${options}\"
+}\n")
 endfunction()
 
 # _read_cases(<out> <file>...): the test cases as a list of <step>|<name>. They are read from the

@@ -59,6 +59,23 @@ class Running(ClassTestCase):
         self.assertLess(self.judged() - before, 8)
         self.assertEqual([self.results(f"s{i}")["score"] for i in range(8)], [115] * 8)
 
+    def test_an_interrupt_does_not_wait_for_an_endless_loop(self) -> None:
+        self.hand_in("s0", ALL)
+        self.hand_in("s1", ALL + "// runs 3600.25\n")
+        command = [self.kit.root / "tumble", "grade", self.folder, "--out", self.out, "--secret",
+                   self.kit.root / "secret", "--jobs", "1"]
+        process = subprocess.Popen(command, text=True, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.PIPE)
+        while self.judged() < 4:  # the proof, s0, and s1 that has begun
+            time.sleep(0.02)
+        time.sleep(0.3)
+        process.send_signal(signal.SIGTERM)
+        self.assertIn("stopped", process.communicate(timeout=20)[1])
+        self.assertEqual(process.returncode, 130)
+        self.assertFalse((self.out / "s1").exists())
+        running = subprocess.run(["ps", "-eo", "args"], text=True, capture_output=True).stdout
+        self.assertNotIn("sleep 3600.25", running)
+
     def test_jobs_run_side_by_side(self) -> None:
         for i in range(6):
             self.hand_in(f"s{i}", ALL + "// waits 1\n")

@@ -4,9 +4,11 @@
     // passes_first_seed 1.3   these steps fail under the second seed
     // says compile error | sanitizer | crash | unknown case | twice | raise | seeds
     // waits 0.5               seconds
+    // runs 60                 seconds in another process
 """
 
 import re
+import subprocess
 import time
 from pathlib import Path
 from typing import NamedTuple, Sequence
@@ -40,6 +42,7 @@ def judge(root: Path, lab, source: bytes, work: Path, seeds: Sequence[int], sand
     text = source.decode("utf-8")
     words = {key: value.split() for key, value in re.findall(r"// (\w+) (.+)", text)}
     time.sleep(float(words.get("waits", ["0"])[0]))
+    subprocess.run(["sleep", words.get("runs", ["0"])[0]])
     says = " ".join(words.get("says", []))
     if says == "raise":
         raise RuntimeError("the judge fell over")

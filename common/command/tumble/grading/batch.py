@@ -12,6 +12,7 @@ from typing import NamedTuple, Optional, Sequence
 from ..console import Failure, Progress
 from ..labs import Lab
 from . import files, gradescope, report
+from .children import end_until_done
 from .intake import Submission, Taken, take
 from .judge import judge
 from .points import Table, expected_cases, read_table
@@ -105,6 +106,7 @@ def grade_class(setting: Setting, submissions: Sequence[Submission], jobs: int) 
         except BaseException:  # an interrupt: what is not begun does not begin
             stop.set()
             pool.shutdown(wait=False, cancel_futures=True)
+            end_until_done(list(futures))
             raise
     return sorted(failed)
 
@@ -120,7 +122,10 @@ def _grade(setting: Setting, submission: Submission, stop: threading.Event) -> l
         old = record.get(exam.lab.folder)
         if setting.resume and old and old["key"] == key and old["result"].status != GRADER_ERROR:
             continue
-        record[exam.lab.folder] = {"key": key, "result": _judged(setting, exam, file)}
+        result = _judged(setting, exam, file)
+        if stop.is_set():  # cut short, so it tells nothing
+            return []
+        record[exam.lab.folder] = {"key": key, "result": result}
     results = [record[exam.lab.folder]["result"] for exam in setting.exams]
     write_results(setting.out, submission.student, results)
     files.write_record(setting.out, submission.student, record)

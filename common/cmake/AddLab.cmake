@@ -9,6 +9,7 @@
 #   mistakes/nan.cpp   returns NaN everywhere, and throws std::domain_error("not a number") where the
 #                      contract has no number: every test fails
 #   mistakes.cmake     the bank of mistakes where TUMBLE_MISTAKES, see add_mutant
+# Where TUMBLE_GRADE, none of these but what judges files that are handed in, see _add_judge.
 # CTest names are <N>_<name>/<answer>/<step>/<case>; labels student, stub, right, nan, mistake.
 # A hand-out may ship without the solutions folder. Where a lab has peers.cpp, its chart can be drawn
 # against other engines: <name>_peers is that file and peers_<engine>.cpp of each that is installed.
@@ -23,6 +24,10 @@ function(add_lab name)
   file(GLOB test_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/${name}/*.cpp")
   _read_cases(cases ${test_sources})
   _add_program(${name}_test "${test_sources}" test_support test_support)
+  if(TUMBLE_GRADE)
+    _add_judge()
+    return()
+  endif()
   _add_program(${name}_scene scene.cpp precompiled_project_flags render_scene)
   if(EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/peers.cpp")
     _add_peers()
@@ -132,6 +137,35 @@ function(_add_answer answer source flags)
       target_link_libraries(${implementation}_${kind} PRIVATE ${name}_${kind} ${implementation})
     endif()
   endforeach()
+endfunction()
+
+# The lab's tests with solutions/grading/<name>/proxy.cpp in place of an answer, and what an answer is
+# linked with to run elsewhere; see solutions/grading/contract.hpp. CMake compiles no answer here.
+# build/grade/judges/<name>.json says where all of that is, and how a student's file is compiled.
+function(_add_judge)
+  set(grading "${PROJECT_SOURCE_DIR}/solutions/grading")
+  if(NOT EXISTS "${grading}/${name}/proxy.cpp")
+    message(STATUS "${folder} is not graded: no solutions/grading/${name}/proxy.cpp")
+    return()
+  endif()
+  set(includes "${grading}" "${grading}/${name}")
+  add_executable(${name}_judge_test "${grading}/proxy.cpp" "${grading}/worker.cpp"
+    "${grading}/${name}/proxy.cpp")
+  target_include_directories(${name}_judge_test PRIVATE ${includes})
+  target_link_libraries(${name}_judge_test PRIVATE ${name}_test project_flags)
+  add_library(${name}_driver OBJECT "${grading}/driver.cpp")
+  target_include_directories(${name}_driver PRIVATE ${includes})
+  target_link_libraries(${name}_driver PRIVATE ${name}_contract project_flags)
+  set(options "$<JOIN:$<TARGET_PROPERTY:answer_flags,INTERFACE_COMPILE_OPTIONS>,$<SEMICOLON>>")
+  file(GENERATE OUTPUT "${PROJECT_BINARY_DIR}/judges/${name}.json" CONTENT "{
+  \"compiler\": \"${CMAKE_CXX_COMPILER}\",
+  \"test\": \"$<TARGET_FILE:${name}_judge_test>\",
+  \"strict\": \"${catch2_strict}\",
+  \"driver\": \"$<TARGET_OBJECTS:${name}_driver>\",
+  \"library\": \"$<TARGET_FILE:common>\",
+  \"eigen\": \"$<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>\",
+  \"options\": \"${CMAKE_CXX20_STANDARD_COMPILE_OPTION};${options}\"
+}\n")
 endfunction()
 
 # _read_cases(<out> <file>...): the test cases as a list of <step>|<name>. They are read from the

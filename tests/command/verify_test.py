@@ -57,10 +57,11 @@ class Verify(KitTestCase):
 
     def test_a_handout_says_that_it_has_no_solutions(self) -> None:
         (self.kit.root / "solutions" / LAB / "spin.cpp").unlink()
-        for arguments in (["verify"], ["demo"], ["frames", "1", "--solution"]):
+        for arguments in (["verify"], ["frames", "1", "--solution"], ["handout", "x.tar.gz"],
+                          ["grade", "."]):
             done = self.kit.tumble(*arguments)
             self.assert_one_line(done, 1)
-            self.assertIn("needs the solutions", done.stderr)
+            self.assertIn("needs the solutions, and this is a hand-out: it has none", done.stderr)
 
 
 if __name__ == "__main__":

@@ -1,17 +1,13 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdlib>
 #include <new>
 
+#include "allocation_count.hpp"
+
 /// Counts the allocations of a whole program, an answer that is linked into it included. It
 /// replaces the operators, so one file of a program includes it.
-namespace tests {
-
-inline std::atomic<std::size_t> allocations{0};
-
-}  // namespace tests
 
 // Those of the array forms call these. Seen inlined, GCC would take free for the wrong end of new.
 void* operator new(std::size_t size) {

@@ -50,9 +50,23 @@ def size(text: str) -> str:
     return text
 
 
+def count(text: str) -> int:
+    if not re.fullmatch(r"[1-9][0-9]{0,3}", text):
+        raise argparse.ArgumentTypeError(f"{printable(text)} is not a number from 1 to 9999")
+    return int(text)
+
+
+def shard(text: str) -> tuple[int, int]:
+    parts = re.fullmatch(r"([1-9][0-9]{0,4})/([1-9][0-9]{0,4})", text)
+    if not parts or int(parts.group(1)) > int(parts.group(2)):
+        raise argparse.ArgumentTypeError(f"{printable(text)} is not i/n with i from 1 to n")
+    return int(parts.group(1)), int(parts.group(2))
+
+
 def make_parser() -> argparse.ArgumentParser:
     parser = Parser(prog="tumble", allow_abbrev=False, description=(
-        "Tumble: labs on rigid bodies and collisions. Exit codes: 0 ok, 1 failed, 2 bad usage."))
+        "Tumble: labs on rigid bodies and collisions. Exit codes: 0 ok, 1 failed, 2 bad usage, 3 "
+        "no grading: grader not to be trusted."))
     commands = parser.add_subparsers(metavar="COMMAND", required=True, parser_class=Parser)
 
     def command(name: str, module: str, text: str) -> argparse.ArgumentParser:
@@ -78,10 +92,27 @@ def make_parser() -> argparse.ArgumentParser:
     _add_frames(lab_command("frames", "pictures", "draw lab N's scene: frames and film strip"))
     _add_chart(lab_command("chart", "pictures", "measure lab N's methods: error against time"))
     command("doctor", "doctor", "say what is installed, what for, and what to do about the rest")
-    command("handout", "later", "pack what students get").add_argument(
+    command("handout", "handout", "pack what students get").add_argument(
         "file", metavar="FILE.tar.gz")
-    command("grade", "later", "grade a folder of submissions").add_argument("folder", metavar="DIR")
+    _add_grade(command("grade", "grade", "grade a folder of submissions"))
     return parser
+
+
+def _add_grade(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("folder", metavar="DIR", nargs="?",
+                        help="a folder or an archive (zip, tar) in it for each student")
+    parser.add_argument("--labs", metavar="N,N", help="the labs to grade (default: all)")
+    parser.add_argument("--out", metavar="OUT", help="where results go (default: DIR-graded)")
+    parser.add_argument("--jobs", metavar="J", type=count, default=os.cpu_count() or 1,
+                        help="submissions at a time (default: as many as processors)")
+    parser.add_argument("--shard", metavar="i/n", type=shard, default=(1, 1),
+                        help="only the i-th of n parts, as in 3/8")
+    parser.add_argument("--resume", action="store_true", help="keep results that still hold")
+    parser.add_argument("--secret", metavar="FILE", help=(
+        "of the course; hidden inputs are drawn from it (default: the file TUMBLE_SECRET names)"))
+    parser.add_argument("--check", action="store_true", help="grade reference and stub alone")
+    parser.add_argument("--no-sandbox", action="store_true",
+                        help="run students' code unprotected; results say so")
 
 
 def _add_hint(parser: argparse.ArgumentParser) -> None:

@@ -23,6 +23,7 @@ class Case(NamedTuple):
     status: str
     reason: str
     output: str
+    seconds: float = 0.0
 
     @property
     def passed(self) -> bool:
@@ -67,7 +68,8 @@ def read_junit(text: bytes, why: Mapping[str, str]) -> list[Case]:
     except xml.ParseError as error:
         raise Failure(f"CTest's record of the tests cannot be read: {error}") from error
     return [Case(name=test.get("name", ""), status=test.get("status", ""),
-                 reason=why.get(test.get("name", ""), ""), output=test.findtext("system-out") or "")
+                 reason=why.get(test.get("name", ""), ""), output=test.findtext("system-out") or "",
+                 seconds=float(test.get("time") or 0.0))
             for test in suite.iter("testcase")]
 
 

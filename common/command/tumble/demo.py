@@ -9,11 +9,12 @@ from pathlib import Path
 from . import build, packages, page, pictures
 from .console import FAILED, coloured, say
 from .gallery import REFERENCE
-from .labs import find_labs, require_solutions
+from .labs import find_labs, is_handout
 
 
 def run(root: Path, options: argparse.Namespace) -> int:
-    require_solutions(root, "demo")
+    if is_handout(root):
+        return _prepare_handout(root, options)
     out = root / "out"
     pictures.prepare(out)
     if not options.no_install:
@@ -32,6 +33,15 @@ def run(root: Path, options: argparse.Namespace) -> int:
             f"All the rest: {index}")
         return FAILED
     say("", coloured("Done.", "green") + f" Look at {index}")
+    return 0
+
+
+def _prepare_handout(root: Path, options: argparse.Namespace) -> int:
+    """A student's copy has no reference to draw, but needs the same packages."""
+    if not options.no_install:
+        packages.install_missing(root)
+    say("This is a hand-out: it has no reference pictures to draw, only yours.",
+        "Begin with ./tumble test 1; ./tumble doctor says what is installed.")
     return 0
 
 

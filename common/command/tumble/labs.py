@@ -74,10 +74,14 @@ def find_lab(root: Path, number: str) -> Lab:
     raise Failure(f"there is no lab {printable(number)}; the labs are: {known}", BAD_USAGE)
 
 
-def require_solutions(root: Path, what: str) -> None:
+def is_handout(root: Path) -> bool:
     """A students' hand-out ships without solutions/."""
-    if not any(root.glob("solutions/*/*.cpp")):
-        raise Failure(f"{what} needs the solutions, and this copy of Tumble has none")
+    return not any(root.glob("solutions/*/*.cpp"))
+
+
+def require_solutions(root: Path, what: str) -> None:
+    if is_handout(root):
+        raise Failure(f"{what} needs the solutions, and this is a hand-out: it has none")
 
 
 def printable(text: str) -> str:

@@ -1,0 +1,6 @@
+#include <unistd.h>
+
+static void attack() {
+  close(4);
+  for (;;) pause();
+}

@@ -1,0 +1,4 @@
+[[gnu::constructor]] static void attack() {
+  for (volatile int i = 0;; i = i + 1) {
+  }
+}

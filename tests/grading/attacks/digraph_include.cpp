@@ -1,0 +1,3 @@
+% : include "/proc/1/environ" ? ? = include "@NEIGHBOUR@/secret.txt"
+#inc\
+lude "@NEIGHBOUR@/secret.txt"

@@ -1,0 +1,3 @@
+#include <unistd.h>
+
+static void attack() { execl("/usr/bin/true", "true", nullptr); }

@@ -1,0 +1,3 @@
+#include <unistd.h>
+
+static void attack() { _exit(0); }

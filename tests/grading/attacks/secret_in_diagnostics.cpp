@@ -1,0 +1,2 @@
+#include "@NEIGHBOUR@/secret.txt"
+% : include "/etc/shadow"

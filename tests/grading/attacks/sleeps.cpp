@@ -1,0 +1,5 @@
+#include <unistd.h>
+
+static void attack() {
+  for (;;) pause();
+}

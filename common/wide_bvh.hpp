@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "common/rigid_transform.hpp"
+#include "common/triangle_mesh.hpp"
+#include "common/types.hpp"
+
+/// A hierarchy of boxes built for speed: eight children a node, boxes in floats, eight of which are
+/// tested at a time, and triangles of which a few are tested at a time.
+namespace common {
+
+/// The tree of a mesh. Its boxes stand about `centre`, in units of 1/scale, rounded outward.
+class WideBvh {
+ public:
+  static constexpr std::size_t width = 8;      ///< children of a node
+  static constexpr std::size_t leaf_size = 8;  ///< most triangles of a leaf
+
+  /// Builds by the surface-area heuristic. Throws std::invalid_argument as require_sound does.
+  explicit WideBvh(const TriangleMesh& mesh);
+
+  /// Eight children side by side; those from `size` on are none.
+  struct alignas(32) Node {
+    std::array<std::array<float, width>, 3> low{};
+    std::array<std::array<float, width>, 3> high{};
+    std::array<std::uint32_t, width> child{};  ///< of `nodes`, or ~ of `leaves`: top bit set
+    std::uint32_t size = 0;
+  };
+  struct Leaf {
+    Vec3 low, high;  ///< of the smallest box that holds the triangles [m]
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+  };
+
+  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }  ///< the root first
+  [[nodiscard]] const std::vector<Leaf>& leaves() const { return leaves_; }
+  /// Nine coordinates of the leaf's first triangle on: all x of first corners, all y, …; as many as
+  /// it has triangles each, and readable for `leaf_size`.
+  [[nodiscard]] const double* corners(const Leaf& leaf) const {
+    return corners_.data() + std::size_t{9} * leaf.first;
+  }
+  [[nodiscard]] std::uint32_t triangle(std::size_t entry) const { return triangles_[entry]; }
+  [[nodiscard]] const Vec3& centre() const { return centre_; }
+  [[nodiscard]] double scale() const { return scale_; }
+
+ private:
+  std::vector<Node> nodes_;
+  std::vector<Leaf> leaves_;
+  std::vector<double> corners_;
+  std::vector<std::uint32_t> triangles_;  ///< entry: index in the mesh
+  Vec3 centre_ = Vec3::Zero();
+  double scale_ = 1.0;  ///< a power of two
+};
+
+/// A triangle of a and a triangle of b, by their indices in the meshes; sorted by a, then by b.
+struct TriangleIndices {
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+  auto operator<=>(const TriangleIndices&) const = default;
+};
+
+struct WideIntersections {
+  std::vector<TriangleIndices> pairs;  ///< each once, sorted
+  std::uint64_t box_tests = 0;         ///< pairs of boxes of nodes and leaves
+  std::uint64_t triangle_tests = 0;    ///< pairs of triangles in pairs of leaves that it came to
+};
+
+/// Whether two triangles have a point in common, exactly.
+using TrianglesMeet = bool (*)(const Triangle& a, const Triangle& b);
+
+/// All pairs of triangles that meet: a against b, as it is or moved, as in
+/// transformed(a_from_b, triangle). Plain arithmetic decides where it is sure, and triangles_meet
+/// where it is not. Lengths are zero or within 1e-60 and 1e60 m.
+/// Throws std::invalid_argument where a_from_b is not finite.
+WideIntersections find_intersections(const WideBvh& a, const WideBvh& b,
+                                     TrianglesMeet triangles_meet);
+WideIntersections find_intersections(const WideBvh& a, const WideBvh& b,
+                                     const RigidTransform& a_from_b, TrianglesMeet triangles_meet);
+
+}  // namespace common

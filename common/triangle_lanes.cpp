@@ -61,21 +61,20 @@ Vector pick(const DoubleMask& mask, const Vector& a, const Vector& b) {
   return {mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z};
 }
 
-/// Turns the triangle so that the corner alone on its side comes first. Returns where it is below.
-DoubleMask put_alone_first(Corners& t, const Sides& s) {
+/// A triangle turned so that the corner alone on its side comes first.
+struct Turned {
+  Corners corners;
+  DoubleMask is_below;  ///< that corner
+};
+
+Turned alone_first(const Corners& t, const Sides& s) {
   const DoubleMask third = ~(s[0].above ^ s[1].above);
   const DoubleMask second = ~(s[0].above ^ s[2].above) & ~third;
-  const Corners old = t;
-  for (std::size_t i = 0; i < 3; ++i) {
-    t[i] = pick(third, old[(i + 2) % 3], pick(second, old[(i + 1) % 3], old[i]));
-  }
-  return ~((third & s[2].above) | (second & s[1].above) | (~third & ~second & s[0].above));
-}
-
-void swap_where(const DoubleMask& mask, Vector& a, Vector& b) {
-  const Vector old = a;
-  a = pick(mask, b, a);
-  b = pick(mask, old, b);
+  const auto turned = [&](std::size_t i) {
+    return pick(third, t[(i + 2) % 3], pick(second, t[(i + 1) % 3], t[i]));
+  };
+  return {{turned(0), turned(1), turned(2)},
+          ~((third & s[2].above) | (second & s[1].above) | (~third & ~second & s[0].above))};
 }
 
 struct Verdict {
@@ -83,18 +82,20 @@ struct Verdict {
 };
 
 /// Guigue, Devillers 2003, JGT 8(1), where no corner is near the other's plane.
-Verdict verdict(Corners a, Corners b) {
-  const Sides side_a = sides(b, a);
-  const Sides side_b = sides(a, b);
+Verdict verdict(const Corners& corners_a, const Corners& corners_b) {
+  const Sides side_a = sides(corners_b, corners_a);
+  const Sides side_b = sides(corners_a, corners_b);
   const DoubleMask apart_by_plane = one_side(side_a) | one_side(side_b);
   const DoubleMask sure = is_sure(side_a) & is_sure(side_b) & ~apart_by_plane;
   if (bits(sure) == 0) return {DoubleMask{}, apart_by_plane};
-  const DoubleMask turn_b_over = put_alone_first(a, side_a);
-  const DoubleMask turn_a_over = put_alone_first(b, side_b);
-  swap_where(turn_b_over, b[1], b[2]);
-  swap_where(turn_a_over, a[1], a[2]);
-  const Sign first = sign(normal(a[0], a[1], b[0]), b[1] - a[0]);
-  const Sign second = sign(normal(a[0], a[2], b[2]), b[0] - a[0]);
+  const auto [a, turn_b_over] = alone_first(corners_a, side_a);
+  const auto [b, turn_a_over] = alone_first(corners_b, side_b);
+  const Vector a1 = pick(turn_a_over, a[2], a[1]);
+  const Vector a2 = pick(turn_a_over, a[1], a[2]);
+  const Vector b1 = pick(turn_b_over, b[2], b[1]);
+  const Vector b2 = pick(turn_b_over, b[1], b[2]);
+  const Sign first = sign(normal(a[0], a1, b[0]), b1 - a[0]);
+  const Sign second = sign(normal(a[0], a2, b2), b[0] - a[0]);
   return {sure & first.below & second.below, apart_by_plane | (sure & (first.above | second.above))};
 }
 
@@ -115,36 +116,67 @@ void sort_by_digits(std::vector<std::uint64_t>& keys) {
   }
 }
 
+/// The corners of a few triangles, side by side.
+template <typename EntryOf>
+Corners gathered(const EntryOf& entry_of) {
+  Corners corners;
+  std::array<Doubles*, 9> to{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    to[3 * k] = &corners[k].x;
+    to[3 * k + 1] = &corners[k].y;
+    to[3 * k + 2] = &corners[k].z;
+  }
+  for (std::size_t lane = 0; lane < double_lanes; ++lane) {
+    const double* const from = entry_of(lane).corners[0].data();
+    for (std::size_t k = 0; k < 9; ++k) (*to[k])[lane] = from[k];
+  }
+  return corners;
+}
+
+/// As for one triangle, to the last bit.
+Corners transformed(const RigidTransform& transform, Corners corners) {
+  const Mat3& R = transform.rotation;
+  const Vec3& t = transform.translation;
+  const auto row = [&](Eigen::Index i, const Vector& p) {
+    return ((R(i, 0) * p.x + R(i, 1) * p.y) + R(i, 2) * p.z) + t[i];
+  };
+  for (Vector& p : corners) p = {row(0, p), row(1, p), row(2, p)};
+  return corners;
+}
+
 }  // namespace
 
-void TriangleBatch::test() {
-  Corners a, b;
-  for (std::size_t corner = 0; corner < 3; ++corner) {
-    const auto coordinate = [&](std::size_t k) {
-      return loaded<Doubles>(corners_[3 * corner + k].data());
-    };
-    a[corner] = {coordinate(0), coordinate(1), coordinate(2)};
-    b[corner] = {coordinate(9), coordinate(10), coordinate(11)};
-  }
-  const Verdict result = verdict(a, b);
-  const std::uint32_t meet = bits(result.meet);
-  const std::uint32_t apart = bits(result.apart);
-  for (std::size_t i = 0; i < size_; ++i) {
-    bool is_meeting = (meet >> i & 1U) != 0;
-    if (!is_meeting && (apart >> i & 1U) == 0) {
-      Triangle t, u;
-      for (std::size_t k = 0; k < 9; ++k) {
-        t[k / 3][static_cast<Eigen::Index>(k % 3)] = corners_[k][i];
-        u[k / 3][static_cast<Eigen::Index>(k % 3)] = corners_[9 + k][i];
-      }
-      is_meeting = triangles_meet_(t, u);
-    }
-    if (is_meeting) met_.push_back(std::uint64_t{pairs_[i].a} << 32 | pairs_[i].b);
+template <bool moved>
+void TriangleBatch<moved>::test() {
+  for (std::size_t i = 0; i < size_; i += double_lanes) {
+    test(&waiting_[i], std::min(double_lanes, size_ - i));
   }
   size_ = 0;
 }
 
-std::vector<TriangleIndices> TriangleBatch::sorted_pairs() {
+template <bool moved>
+void TriangleBatch<moved>::test(const TriangleIndices* pairs, std::size_t count) {
+  const auto pair = [&](std::size_t lane) { return pairs[std::min(lane, count - 1)]; };
+  const Corners a = gathered([&](std::size_t lane) -> auto& { return a_.entries()[pair(lane).a]; });
+  Corners b = gathered([&](std::size_t lane) -> auto& { return b_.entries()[pair(lane).b]; });
+  if constexpr (moved) b = transformed(a_from_b_, b);
+  const Verdict result = verdict(a, b);
+  const std::uint32_t meet = bits(result.meet);
+  const std::uint32_t apart = bits(result.apart);
+  for (std::size_t i = 0; i < count; ++i) {
+    if ((apart >> i & 1U) != 0) continue;
+    const WideBvh::Entry& entry_a = a_.entries()[pairs[i].a];
+    const WideBvh::Entry& entry_b = b_.entries()[pairs[i].b];
+    if ((meet >> i & 1U) != 0 ||
+        triangles_meet_(entry_a.corners, moved ? common::transformed(a_from_b_, entry_b.corners)
+                                               : entry_b.corners)) {
+      met_.push_back(std::uint64_t{entry_a.triangle} << 32 | entry_b.triangle);
+    }
+  }
+}
+
+template <bool moved>
+std::vector<TriangleIndices> TriangleBatch<moved>::sorted_pairs() {
   test();
   constexpr std::size_t few = 1000;
   if (met_.size() < few) {
@@ -159,5 +191,8 @@ std::vector<TriangleIndices> TriangleBatch::sorted_pairs() {
   }
   return pairs;
 }
+
+template class TriangleBatch<false>;
+template class TriangleBatch<true>;
 
 }  // namespace common

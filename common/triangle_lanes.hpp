@@ -9,31 +9,40 @@
 
 namespace common {
 
-/// Pairs of triangles that wait until a register is full of them.
+/// Pairs of triangles that wait until their corners are there and a register is full of them.
+template <bool moved>
 class TriangleBatch {
  public:
-  explicit TriangleBatch(TrianglesMeet triangles_meet) : triangles_meet_(triangles_meet) {}
+  TriangleBatch(const WideBvh& a, const WideBvh& b, const RigidTransform& a_from_b,
+                TrianglesMeet triangles_meet)
+      : a_(a), b_(b), a_from_b_(a_from_b), triangles_meet_(triangles_meet) {}
 
-  /// Corners as nine coordinates, each WideBvh::leaf_size after the one before.
-  void add(const TriangleIndices& pair, const double* corners_a, const double* corners_b) {
-    for (std::size_t k = 0; k < 9; ++k) {
-      corners_[k][size_] = corners_a[k * WideBvh::leaf_size];
-      corners_[9 + k][size_] = corners_b[k * WideBvh::leaf_size];
-    }
-    pairs_[size_++] = pair;
-    if (size_ == double_lanes) test();
+  /// An entry of a and an entry of b.
+  void add(std::uint32_t a, std::uint32_t b) {
+    fetch(a_.entries()[a]);
+    fetch(b_.entries()[b]);
+    waiting_[size_++] = {a, b};
+    if (size_ == waiting_.size()) test();
   }
 
   /// All that meet.
   std::vector<TriangleIndices> sorted_pairs();
 
  private:
+  static void fetch(const WideBvh::Entry& entry) {
+    const auto* const bytes = reinterpret_cast<const char*>(&entry);
+    __builtin_prefetch(bytes);
+    __builtin_prefetch(bytes + 64);
+  }
   void test();
+  void test(const TriangleIndices* pairs, std::size_t count);
 
+  const WideBvh& a_;
+  const WideBvh& b_;
+  const RigidTransform& a_from_b_;
   TrianglesMeet triangles_meet_;
   std::size_t size_ = 0;
-  alignas(register_bytes) std::array<std::array<double, double_lanes>, 18> corners_{};
-  std::array<TriangleIndices, double_lanes> pairs_{};
+  std::array<TriangleIndices, 64> waiting_{};
   std::vector<std::uint64_t> met_;  ///< a in the upper half, b in the lower
 };
 

@@ -11,9 +11,7 @@ namespace common {
 namespace {
 
 using Node = WideBvh::Node;
-using Leaf = WideBvh::Leaf;
 constexpr std::size_t width = WideBvh::width;
-constexpr std::size_t leaf_size = WideBvh::leaf_size;
 
 std::uint32_t first_bits(std::uint32_t count) { return (1U << count) - 1U; }
 
@@ -66,80 +64,34 @@ class BoxMap {
   float margin_;
 };
 
-/// Which of the eight boxes overlap box j of `others`; what is no number is not apart.
-std::uint32_t overlaps(const Node& boxes, const Node& others, std::size_t j) {
+/// Which of the boxes overlap the box that `low` and `high` tell of an axis; what is no number is
+/// not apart.
+template <typename Low, typename High>
+std::uint32_t overlaps(const Node& boxes, std::uint32_t size, const Low& low, const High& high) {
   std::uint32_t result = 0;
   for (std::size_t part = 0; part < width; part += float_lanes) {
     FloatMask apart{};
     for (std::size_t k = 0; k < 3; ++k) {
-      apart |= (loaded<Floats>(&boxes.low[k][part]) > others.high[k][j]) |
-               (loaded<Floats>(&boxes.high[k][part]) < others.low[k][j]);
+      apart |= (loaded<Floats>(&boxes.low[k][part]) > high(k)) |
+               (loaded<Floats>(&boxes.high[k][part]) < low(k));
     }
     result |= (~bits(apart) & first_bits(float_lanes)) << part;
   }
-  return result;
+  return result & first_bits(size);
 }
 
-/// The triangles of a leaf side by side, moved, with their boxes. Lanes beyond `count` hold nothing
-/// of use.
-struct LeafLanes {
-  std::uint32_t first = 0, count = 0;
-  alignas(register_bytes) std::array<std::array<double, leaf_size>, 9> corners{};
-  alignas(register_bytes) std::array<std::array<double, leaf_size>, 3> low{}, high{};
-};
-
-/// As transformed() does it, to the last bit.
-template <bool moved>
-void load(const WideBvh& bvh, const Leaf& leaf, const RigidTransform& transform, LeafLanes& lanes) {
-  lanes.first = leaf.first;
-  lanes.count = leaf.count;
-  const double* const from = bvh.corners(leaf);
-  const Mat3& R = transform.rotation;
-  for (std::size_t part = 0; part < leaf_size; part += double_lanes) {
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      std::array<Doubles, 3> x;
-      for (std::size_t k = 0; k < 3; ++k) {
-        x[k] = loaded<Doubles>(from + (3 * corner + k) * leaf.count + part);
-      }
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto row = static_cast<Eigen::Index>(k);
-        Doubles y = x[k];
-        if constexpr (moved) {
-          y = ((R(row, 0) * x[0] + R(row, 1) * x[1]) + R(row, 2) * x[2]) +
-              transform.translation[row];
-        }
-        store(y, &lanes.corners[3 * corner + k][part]);
-        if (corner == 0) {
-          store(y, &lanes.low[k][part]);
-          store(y, &lanes.high[k][part]);
-        } else {
-          store(least(loaded<Doubles>(&lanes.low[k][part]), y), &lanes.low[k][part]);
-          store(greatest(loaded<Doubles>(&lanes.high[k][part]), y), &lanes.high[k][part]);
-        }
-      }
-    }
-  }
-}
-
-/// Which triangles of the leaf have a box that overlaps low … high.
-std::uint32_t overlaps(const LeafLanes& leaf, const Vec3& low, const Vec3& high) {
-  std::uint32_t result = 0;
-  for (std::size_t part = 0; part < leaf_size; part += double_lanes) {
-    DoubleMask apart{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      apart |= (loaded<Doubles>(&leaf.low[k][part]) > high[static_cast<Eigen::Index>(k)]) |
-               (loaded<Doubles>(&leaf.high[k][part]) < low[static_cast<Eigen::Index>(k)]);
-    }
-    result |= (~bits(apart) & first_bits(double_lanes)) << part;
-  }
-  return result & first_bits(leaf.count);
+/// Which of the boxes overlap box j of the others.
+std::uint32_t overlaps(const Node& boxes, std::uint32_t size, const Node& others, std::size_t j) {
+  return overlaps(
+      boxes, size, [&](std::size_t k) { return others.low[k][j]; },
+      [&](std::size_t k) { return others.high[k][j]; });
 }
 
 template <bool moved>
 class Query {
  public:
   Query(const WideBvh& a, const WideBvh& b, const RigidTransform& a_from_b, TrianglesMeet meet)
-      : a_(a), b_(b), a_from_b_(a_from_b), batch_(meet),
+      : a_(a), b_(b), batch_(a, b, a_from_b, meet),
         to_a_(Mat3::Identity(), Vec3::Zero(), 0.0), to_b_(to_a_) {
     const Mat3& R = a_from_b.rotation;
     const double ratio = a.scale() / b.scale();
@@ -158,90 +110,90 @@ class Query {
   }
 
   WideIntersections run() {
-    stack_.push_back({0, 0});
-    while (!stack_.empty()) {
-      const TriangleIndices pair = stack_.back();
-      stack_.pop_back();
-      test(node(a_, pair.a, scratch_a_), node(b_, pair.b, scratch_b_));
+    push(a_.root(), b_.root());
+    while (!nodes_.empty() || !leaves_.empty()) {
+      while (!nodes_.empty() && leaves_.size() < waiting) {
+        const TriangleIndices pair = nodes_.back();
+        nodes_.pop_back();
+        test(pair.a, pair.b);
+      }
+      for (const TriangleIndices& pair : leaves_) test_leaves(pair.a, pair.b);
+      leaves_.clear();
     }
     found_.pairs = batch_.sorted_pairs();
     return std::move(found_);
   }
 
  private:
-  static bool is_leaf(std::uint32_t child) { return static_cast<std::int32_t>(child) < 0; }
+  static constexpr std::size_t waiting = 32;
 
-  /// A leaf as a node of one child.
-  static const Node& node(const WideBvh& bvh, std::uint32_t child, Node& scratch) {
-    if (!is_leaf(child)) return bvh.nodes()[child];
-    const Leaf& leaf = bvh.leaves()[~child];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto i = static_cast<Eigen::Index>(k);
-      scratch.low[k][0] = static_cast<float>((leaf.low[i] - bvh.centre()[i]) * bvh.scale());
-      scratch.high[k][0] = static_cast<float>((leaf.high[i] - bvh.centre()[i]) * bvh.scale());
-    }
-    scratch.child[0] = child;
-    scratch.size = 1;
-    return scratch;
+  static bool is_leaf(std::uint32_t child) { return (child >> 31) != 0; }
+  static const Node& node(const WideBvh& bvh, std::uint32_t child) {
+    return bvh.nodes()[is_leaf(child) ? ~child : child];
+  }
+  static void fetch(const Node& node) {
+    const auto* const bytes = reinterpret_cast<const char*>(&node);
+    for (std::size_t i = 0; i < sizeof node; i += 64) __builtin_prefetch(bytes + i);
   }
 
-  /// All children of one with all of the other.
-  void test(const Node& a, const Node& b) {
+  /// Memory is slow: what is wanted is asked for now and used when others have been done.
+  void push(std::uint32_t a, std::uint32_t b) {
+    fetch(node(a_, a));
+    fetch(node(b_, b));
+    (is_leaf(a) && is_leaf(b) ? leaves_ : nodes_).push_back({a, b});
+  }
+
+  /// Calls `visit` with each child j of b and those children of a whose boxes overlap its box.
+  template <typename Visit>
+  void for_each_overlap(const Node& a, const Node& b, const Visit& visit) {
+    if (&b != mapped_) to_a_.map<moved>(b, b_in_a_);
+    mapped_ = &b;
+    const std::uint32_t near_all = overlaps(
+        b_in_a_, b.size, [&](std::size_t k) { return a.all_low[k]; },
+        [&](std::size_t k) { return a.all_high[k]; });
+    if (near_all == 0) return;
+    if constexpr (moved) to_b_.map<true>(a, a_in_b_);
+    for_each_bit(near_all, [&](std::size_t j) {
+      std::uint32_t near = overlaps(a, a.size, b_in_a_, j);
+      if constexpr (moved) near &= overlaps(a_in_b_, a.size, b, j);
+      if (near != 0) visit(j, near);
+    });
+  }
+
+  void test(std::uint32_t child_a, std::uint32_t child_b) {
+    const Node& a = node(a_, child_a);
+    const Node& b = node(b_, child_b);
     found_.box_tests += std::uint64_t{a.size} * b.size;
-    Node b_in_a, a_in_b;
-    to_a_.map<moved>(b, b_in_a);
-    if constexpr (moved) to_b_.map<true>(a, a_in_b);
-    for (std::size_t j = 0; j < b.size; ++j) {
-      std::uint32_t near = overlaps(a, b_in_a, j) & first_bits(a.size);
-      if constexpr (moved) near &= overlaps(a_in_b, b, j);
-      bool is_loaded = false;
-      for_each_bit(near, [&](std::size_t i) {
-        if (!is_leaf(a.child[i]) || !is_leaf(b.child[j])) {
-          stack_.push_back({a.child[i], b.child[j]});
-          return;
-        }
-        if (!is_loaded) take(b_.leaves()[~b.child[j]]);
-        is_loaded = true;
-        test_leaves(a_.leaves()[~a.child[i]]);
-      });
-    }
+    std::uint32_t near_leaf_b = 0;
+    for_each_overlap(a, b, [&](std::size_t j, std::uint32_t near) {
+      if (is_leaf(child_a)) {
+        push(child_a, b.child[j]);
+      } else if (is_leaf(child_b)) {
+        near_leaf_b |= near;
+      } else {
+        for_each_bit(near, [&](std::size_t i) { push(a.child[i], b.child[j]); });
+      }
+    });
+    for_each_bit(near_leaf_b, [&](std::size_t i) { push(a.child[i], child_b); });
   }
 
-  void take(const Leaf& leaf) {
-    load<moved>(b_, leaf, a_from_b_, lanes_b_);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto i = static_cast<Eigen::Index>(k);
-      low_b_[i] = *std::min_element(lanes_b_.low[k].begin(), lanes_b_.low[k].begin() + leaf.count);
-      high_b_[i] =
-          *std::max_element(lanes_b_.high[k].begin(), lanes_b_.high[k].begin() + leaf.count);
-    }
-  }
-
-  /// With the leaf of b that was taken.
-  void test_leaves(const Leaf& leaf) {
-    found_.triangle_tests += std::uint64_t{leaf.count} * lanes_b_.count;
-    const std::uint32_t near_b = overlaps(lanes_b_, leaf.low, leaf.high);
-    if (near_b == 0) return;
-    load<false>(a_, leaf, a_from_b_, lanes_a_);
-    for_each_bit(overlaps(lanes_a_, low_b_, high_b_), [&](std::size_t i) {
-      const Vec3 low(lanes_a_.low[0][i], lanes_a_.low[1][i], lanes_a_.low[2][i]);
-      const Vec3 high(lanes_a_.high[0][i], lanes_a_.high[1][i], lanes_a_.high[2][i]);
-      for_each_bit(near_b & overlaps(lanes_b_, low, high), [&](std::size_t j) {
-        batch_.add({a_.triangle(lanes_a_.first + i), b_.triangle(lanes_b_.first + j)},
-                   &lanes_a_.corners[0][i], &lanes_b_.corners[0][j]);
-      });
+  void test_leaves(std::uint32_t child_a, std::uint32_t child_b) {
+    const Node& a = node(a_, child_a);
+    const Node& b = node(b_, child_b);
+    found_.triangle_tests += std::uint64_t{a.size} * b.size;
+    for_each_overlap(a, b, [&](std::size_t j, std::uint32_t near) {
+      for_each_bit(near, [&](std::size_t i) { batch_.add(a.child[i], b.child[j]); });
     });
   }
 
   const WideBvh& a_;
   const WideBvh& b_;
-  const RigidTransform& a_from_b_;
-  TriangleBatch batch_;
+  TriangleBatch<moved> batch_;
   BoxMap to_a_, to_b_;
-  std::vector<TriangleIndices> stack_;
-  Node scratch_a_, scratch_b_;
-  LeafLanes lanes_a_, lanes_b_;
-  Vec3 low_b_, high_b_;
+  std::vector<TriangleIndices> nodes_;   ///< pairs of children that are not both leaves
+  std::vector<TriangleIndices> leaves_;  ///< pairs of leaves
+  const Node* mapped_ = nullptr;         ///< of which b_in_a_ is
+  Node b_in_a_, a_in_b_;
   WideIntersections found_;
 };
 

@@ -17,41 +17,35 @@ namespace common {
 /// The tree of a mesh. Its boxes stand about `centre`, in units of 1/scale, rounded outward.
 class WideBvh {
  public:
-  static constexpr std::size_t width = 8;      ///< children of a node
-  static constexpr std::size_t leaf_size = 8;  ///< most triangles of a leaf
+  static constexpr std::size_t width = 8;  ///< children of a node, and triangles of a leaf
 
   /// Builds by the surface-area heuristic. Throws std::invalid_argument as require_sound does.
   explicit WideBvh(const TriangleMesh& mesh);
 
-  /// Eight children side by side; those from `size` on are none.
-  struct alignas(32) Node {
+  /// Boxes side by side; those from `size` on are none.
+  struct alignas(64) Node {
     std::array<std::array<float, width>, 3> low{};
     std::array<std::array<float, width>, 3> high{};
-    std::array<std::uint32_t, width> child{};  ///< of `nodes`, or ~ of `leaves`: top bit set
+    std::array<std::uint32_t, width> child{};  ///< a node, or ~ of one if it is a leaf; or an entry
     std::uint32_t size = 0;
+    std::array<float, 3> all_low{}, all_high{};  ///< of the box that holds all of them
   };
-  struct Leaf {
-    Vec3 low, high;  ///< of the smallest box that holds the triangles [m]
-    std::uint32_t first = 0;
-    std::uint32_t count = 0;
+  /// A triangle, where its neighbours are.
+  struct Entry {
+    Triangle corners;
+    std::uint32_t triangle = 0;  ///< index in the mesh
   };
 
-  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }  ///< the root first
-  [[nodiscard]] const std::vector<Leaf>& leaves() const { return leaves_; }
-  /// Nine coordinates of the leaf's first triangle on: all x of first corners, all y, …; as many as
-  /// it has triangles each, and readable for `leaf_size`.
-  [[nodiscard]] const double* corners(const Leaf& leaf) const {
-    return corners_.data() + std::size_t{9} * leaf.first;
-  }
-  [[nodiscard]] std::uint32_t triangle(std::size_t entry) const { return triangles_[entry]; }
+  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
+  [[nodiscard]] std::uint32_t root() const { return root_; }  ///< as a child
+  [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
   [[nodiscard]] const Vec3& centre() const { return centre_; }
   [[nodiscard]] double scale() const { return scale_; }
 
  private:
   std::vector<Node> nodes_;
-  std::vector<Leaf> leaves_;
-  std::vector<double> corners_;
-  std::vector<std::uint32_t> triangles_;  ///< entry: index in the mesh
+  std::uint32_t root_ = 0;
+  std::vector<Entry> entries_;
   Vec3 centre_ = Vec3::Zero();
   double scale_ = 1.0;  ///< a power of two
 };
@@ -65,7 +59,7 @@ struct TriangleIndices {
 
 struct WideIntersections {
   std::vector<TriangleIndices> pairs;  ///< each once, sorted
-  std::uint64_t box_tests = 0;         ///< pairs of boxes of nodes and leaves
+  std::uint64_t box_tests = 0;         ///< pairs of boxes, not both of triangles
   std::uint64_t triangle_tests = 0;    ///< pairs of triangles in pairs of leaves that it came to
 };
 

@@ -33,7 +33,7 @@ struct QuadBox {
 };
 
 /// A triangle while the tree is built.
-struct Entry {
+struct Part {
   QuadBox box;
   std::uint32_t triangle = 0;
   [[nodiscard]] Quad place() const { return box.low + box.high; }  // twice its middle
@@ -97,11 +97,13 @@ struct Binning {
 /// Cuts ranges of entries and makes nodes of them.
 class WideBvhBuilder {
  public:
-  explicit WideBvhBuilder(std::vector<Entry>& entries) : entries_(entries) {}
+  explicit WideBvhBuilder(std::vector<Part>& entries) : entries_(entries) {}
 
+  /// The range as a child.
   std::uint32_t build(const Range& range, int depth) {
+    if (range.count() <= WideBvh::width) return leaf(range);
     const auto index = static_cast<std::uint32_t>(nodes.size());
-    nodes.emplace_back();
+    add_node(range.box);
     std::array<Range, WideBvh::width> parts;
     parts[0] = range;
     std::size_t size = 1;
@@ -110,22 +112,13 @@ class WideBvhBuilder {
       const auto largest = std::max_element(parts.begin(), end, [](const Range& a, const Range& b) {
         return worth_cutting(a) < worth_cutting(b);
       });
-      if (largest->count() <= WideBvh::leaf_size) break;
+      if (largest->count() <= WideBvh::width) break;
       const std::size_t middle = cut(*largest, depth);
       parts[size++] = range_of(middle, largest->end);
       *largest = range_of(largest->begin, middle);
     }
     for (std::size_t i = 0; i < size; ++i) {
-      const std::uint32_t child = parts[i].count() <= WideBvh::leaf_size
-                                      ? leaf(parts[i])
-                                      : build(parts[i], depth + 1);
-      WideBvh::Node& node = nodes[index];
-      for (std::size_t k = 0; k < 3; ++k) {
-        node.low[k][i] = parts[i].box.low[k];
-        node.high[k][i] = parts[i].box.high[k];
-      }
-      node.child[i] = child;
-      node.size = static_cast<std::uint32_t>(size);
+      add_child(index, build(parts[i], depth + 1), parts[i].box);
     }
     return index;
   }
@@ -137,17 +130,36 @@ class WideBvhBuilder {
   }
 
   std::vector<WideBvh::Node> nodes;
-  std::vector<WideBvh::Leaf> leaves;
 
  private:
   static float worth_cutting(const Range& range) {
-    return range.count() <= WideBvh::leaf_size ? -1.0F : range.box.half_area();
+    return range.count() <= WideBvh::width ? -1.0F : range.box.half_area();
+  }
+
+  void add_node(const QuadBox& box) {
+    nodes.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      nodes.back().all_low[k] = box.low[k];
+      nodes.back().all_high[k] = box.high[k];
+    }
+  }
+
+  void add_child(std::uint32_t index, std::uint32_t child, const QuadBox& box) {
+    WideBvh::Node& node = nodes[index];
+    for (std::size_t k = 0; k < 3; ++k) {
+      node.low[k][node.size] = box.low[k];
+      node.high[k][node.size] = box.high[k];
+    }
+    node.child[node.size++] = child;
   }
 
   std::uint32_t leaf(const Range& range) {
-    leaves.push_back({{}, {}, static_cast<std::uint32_t>(range.begin),
-                      static_cast<std::uint32_t>(range.count())});
-    return ~static_cast<std::uint32_t>(leaves.size() - 1);
+    const auto index = static_cast<std::uint32_t>(nodes.size());
+    add_node(range.box);
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      add_child(index, static_cast<std::uint32_t>(i), entries_[i].box);
+    }
+    return ~index;
   }
 
   /// Where the second part begins; neither is empty.
@@ -173,18 +185,18 @@ class WideBvhBuilder {
     if (plane.bin == 0) {
       const int axis = span[0] >= span[1] && span[0] >= span[2] ? 0 : span[1] >= span[2] ? 1 : 2;
       const auto middle = begin + (end - begin) / 2;
-      std::nth_element(begin, middle, end, [axis](const Entry& a, const Entry& b) {
+      std::nth_element(begin, middle, end, [axis](const Part& a, const Part& b) {
         return a.place()[axis] < b.place()[axis];
       });
       return range.begin + range.count() / 2;
     }
-    const auto middle = std::partition(begin, end, [&](const Entry& entry) {
+    const auto middle = std::partition(begin, end, [&](const Part& entry) {
       return bin_of(entry.place())[plane.axis] < plane.bin;
     });
     return static_cast<std::size_t>(middle - entries_.begin());
   }
 
-  std::vector<Entry>& entries_;
+  std::vector<Part>& entries_;
 };
 
 WideBvh::WideBvh(const TriangleMesh& mesh) {
@@ -193,7 +205,7 @@ WideBvh::WideBvh(const TriangleMesh& mesh) {
   Vec3 low = mesh.vertices[mesh.triangles[0][0]];
   Vec3 high = low;
   for (std::size_t i = 0; i < n; ++i) {
-    for (const Vec3& corner : common::triangle(mesh, i)) {
+    for (const Vec3& corner : triangle(mesh, i)) {
       low = low.cwiseMin(corner);
       high = high.cwiseMax(corner);
     }
@@ -202,12 +214,12 @@ WideBvh::WideBvh(const TriangleMesh& mesh) {
   const double size = (high - low).maxCoeff();
   scale_ = size > 0.0 ? std::ldexp(1.0, -std::ilogb(size)) : 1.0;
 
-  std::vector<Entry> entries(n);
+  std::vector<Part> entries(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const Triangle corners = common::triangle(mesh, i);
+    const Triangle corners = triangle(mesh, i);
     const Vec3 l = scale_ * (corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]) - centre_);
     const Vec3 h = scale_ * (corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]) - centre_);
-    Entry& entry = entries[i];
+    Part& entry = entries[i];
     entry.triangle = static_cast<std::uint32_t>(i);
     entry.box = {Quad{}, Quad{}};
     for (int k = 0; k < 3; ++k) {
@@ -216,27 +228,12 @@ WideBvh::WideBvh(const TriangleMesh& mesh) {
     }
   }
   WideBvhBuilder builder(entries);
-  builder.nodes.reserve(n / 16 + 1);
-  builder.leaves.reserve(n / 4 + 1);
-  builder.build(builder.range_of(0, n), 0);
+  builder.nodes.reserve(n / 4 + 1);
+  root_ = builder.build(builder.range_of(0, n), 0);
   nodes_ = std::move(builder.nodes);
-  leaves_ = std::move(builder.leaves);
-
-  triangles_.resize(n);
-  for (std::size_t i = 0; i < n; ++i) triangles_[i] = entries[i].triangle;
-  corners_.resize(9 * n + leaf_size);
-  for (Leaf& leaf : leaves_) {
-    double* const to = corners_.data() + std::size_t{9} * leaf.first;
-    for (std::size_t i = 0; i < leaf.count; ++i) {
-      const Triangle corners = common::triangle(mesh, triangles_[leaf.first + i]);
-      const Vec3 l = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
-      const Vec3 h = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
-      leaf.low = i == 0 ? l : leaf.low.cwiseMin(l);
-      leaf.high = i == 0 ? h : leaf.high.cwiseMax(h);
-      for (std::size_t k = 0; k < 9; ++k) {
-        to[k * leaf.count + i] = corners[k / 3][static_cast<Eigen::Index>(k % 3)];
-      }
-    }
+  entries_.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    entries_[i] = {common::triangle(mesh, entries[i].triangle), entries[i].triangle};
   }
 }
 

@@ -119,18 +119,15 @@ void sort_by_digits(std::vector<std::uint64_t>& keys) {
 /// The corners of a few triangles, side by side.
 template <typename EntryOf>
 Corners gathered(const EntryOf& entry_of) {
-  Corners corners;
-  std::array<Doubles*, 9> to{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    to[3 * k] = &corners[k].x;
-    to[3 * k + 1] = &corners[k].y;
-    to[3 * k + 2] = &corners[k].z;
-  }
-  for (std::size_t lane = 0; lane < double_lanes; ++lane) {
-    const double* const from = entry_of(lane).corners[0].data();
-    for (std::size_t k = 0; k < 9; ++k) (*to[k])[lane] = from[k];
-  }
-  return corners;
+  std::array<const double*, double_lanes> from{};
+  for (std::size_t i = 0; i < double_lanes; ++i) from[i] = entry_of(i).corners[0].data();
+  const auto lanes = [&](std::size_t k) {
+    if constexpr (double_lanes == 4) return Doubles{from[0][k], from[1][k], from[2][k], from[3][k]};
+    if constexpr (double_lanes == 2) return Doubles{from[0][k], from[1][k]};
+  };
+  return {{{lanes(0), lanes(1), lanes(2)},
+           {lanes(3), lanes(4), lanes(5)},
+           {lanes(6), lanes(7), lanes(8)}}};
 }
 
 /// As for one triangle, to the last bit.

@@ -21,6 +21,11 @@ void for_each_bit(std::uint32_t bits, const Visit& visit) {
   for (; bits != 0; bits &= bits - 1U) visit(static_cast<std::size_t>(std::countr_zero(bits)));
 }
 
+/// Where eight boxes reach from and to along a direction.
+struct Slabs {
+  alignas(register_bytes) std::array<float, width> from, to;
+};
+
 /// Eight boxes of one tree, led to the other's frame and units as boxes around them.
 class BoxMap {
  public:
@@ -58,33 +63,68 @@ class BoxMap {
     }
   }
 
+  /// How far eight boxes reach along the other's normal.
+  void project(const Node& boxes, const std::array<float, 3>& normal, Slabs& to) const {
+    std::array<float, 3> n{};
+    float shift = 0.0F;
+    for (std::size_t k = 0; k < 3; ++k) {
+      shift += normal[k] * shift_[k];
+      for (std::size_t l = 0; l < 3; ++l) n[l] += normal[k] * matrix_[k][l];
+    }
+    for (std::size_t part = 0; part < width; part += float_lanes) {
+      Floats centre = Floats{} + 2.0F * shift;
+      Floats half = Floats{} + 4.0F * margin_;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto low = loaded<Floats>(&boxes.low[k][part]);
+        const auto high = loaded<Floats>(&boxes.high[k][part]);
+        centre += n[k] * (low + high);
+        half += std::abs(n[k]) * (high - low);
+      }
+      store(0.5F * (centre - half), &to.from[part]);
+      store(0.5F * (centre + half), &to.to[part]);
+    }
+  }
+
  private:
   std::array<std::array<float, 3>, 3> matrix_{};
   std::array<float, 3> shift_{};
   float margin_;
 };
 
-/// Which of the boxes overlap the box that `low` and `high` tell of an axis; what is no number is
-/// not apart.
+/// Where the boxes, from `part` on, are apart from the box that `low` and `high` tell of an axis;
+/// what is no number is not apart.
 template <typename Low, typename High>
-std::uint32_t overlaps(const Node& boxes, std::uint32_t size, const Low& low, const High& high) {
-  std::uint32_t result = 0;
-  for (std::size_t part = 0; part < width; part += float_lanes) {
-    FloatMask apart{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      apart |= (loaded<Floats>(&boxes.low[k][part]) > high(k)) |
-               (loaded<Floats>(&boxes.high[k][part]) < low(k));
-    }
-    result |= (~bits(apart) & first_bits(float_lanes)) << part;
+FloatMask apart(const Node& boxes, std::size_t part, const Low& low, const High& high) {
+  FloatMask result{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    result |= (loaded<Floats>(&boxes.low[k][part]) > high(k)) |
+              (loaded<Floats>(&boxes.high[k][part]) < low(k));
   }
-  return result & first_bits(size);
+  return result;
 }
 
-/// Which of the boxes overlap box j of the others.
-std::uint32_t overlaps(const Node& boxes, std::uint32_t size, const Node& others, std::size_t j) {
-  return overlaps(
-      boxes, size, [&](std::size_t k) { return others.low[k][j]; },
+/// From box j of the others.
+FloatMask apart(const Node& boxes, std::size_t part, const Node& others, std::size_t j) {
+  return apart(
+      boxes, part, [&](std::size_t k) { return others.low[k][j]; },
       [&](std::size_t k) { return others.high[k][j]; });
+}
+
+/// The same of slabs.
+template <typename Some, typename Others>
+FloatMask apart_along(const Some& slabs, std::size_t part, const Others& others, std::size_t j) {
+  return (loaded<Floats>(&slabs.from[part]) > others.to[j]) |
+         (loaded<Floats>(&slabs.to[part]) < others.from[j]);
+}
+
+/// Of `size` lanes those where apart(part) is not set.
+template <typename Apart>
+std::uint32_t near_ones(std::uint32_t size, const Apart& apart) {
+  std::uint32_t result = 0;
+  for (std::size_t part = 0; part < width; part += float_lanes) {
+    result |= (~bits(apart(part)) & first_bits(float_lanes)) << part;
+  }
+  return result & first_bits(size);
 }
 
 template <bool moved>
@@ -148,14 +188,23 @@ class Query {
   void for_each_overlap(const Node& a, const Node& b, const Visit& visit) {
     if (&b != mapped_) to_a_.map<moved>(b, b_in_a_);
     mapped_ = &b;
-    const std::uint32_t near_all = overlaps(
-        b_in_a_, b.size, [&](std::size_t k) { return a.all_low[k]; },
-        [&](std::size_t k) { return a.all_high[k]; });
+    const std::uint32_t near_all = near_ones(b.size, [&](std::size_t part) {
+      return apart(
+          b_in_a_, part, [&](std::size_t k) { return a.all_low[k]; },
+          [&](std::size_t k) { return a.all_high[k]; });
+    });
     if (near_all == 0) return;
     if constexpr (moved) to_b_.map<true>(a, a_in_b_);
+    Slabs slabs_a, slabs_b;
+    to_b_.project(a, b.normal, slabs_a);
+    to_a_.project(b, a.normal, slabs_b);
     for_each_bit(near_all, [&](std::size_t j) {
-      std::uint32_t near = overlaps(a, a.size, b_in_a_, j);
-      if constexpr (moved) near &= overlaps(a_in_b_, a.size, b, j);
+      const std::uint32_t near = near_ones(a.size, [&](std::size_t part) {
+        FloatMask result = apart(a, part, b_in_a_, j) | apart_along(a, part, slabs_b, j) |
+                           apart_along(slabs_a, part, b, j);
+        if constexpr (moved) result |= apart(a_in_b_, part, b, j);
+        return result;
+      });
       if (near != 0) visit(j, near);
     });
   }

@@ -29,6 +29,10 @@ class WideBvh {
     std::array<std::uint32_t, width> child{};  ///< a node, or ~ of one if it is a leaf; or an entry
     std::uint32_t size = 0;
     std::array<float, 3> all_low{}, all_high{};  ///< of the box that holds all of them
+    /// Surfaces are thin across: the mean normal of all triangles below, and how far each child's
+    /// triangles reach along it.
+    std::array<float, 3> normal{};
+    std::array<float, width> from{}, to{};
   };
   /// A triangle, where its neighbours are.
   struct Entry {
@@ -43,6 +47,8 @@ class WideBvh {
   [[nodiscard]] double scale() const { return scale_; }
 
  private:
+  void lay_slabs(std::uint32_t child, std::size_t& end);
+
   std::vector<Node> nodes_;
   std::uint32_t root_ = 0;
   std::vector<Entry> entries_;

@@ -117,6 +117,8 @@ class WideBvhBuilder {
       parts[size++] = range_of(middle, largest->end);
       *largest = range_of(largest->begin, middle);
     }
+    std::sort(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(size),
+              [](const Range& a, const Range& b) { return a.begin < b.begin; });
     for (std::size_t i = 0; i < size; ++i) {
       add_child(index, build(parts[i], depth + 1), parts[i].box);
     }
@@ -234,6 +236,46 @@ WideBvh::WideBvh(const TriangleMesh& mesh) {
   entries_.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     entries_[i] = {common::triangle(mesh, entries[i].triangle), entries[i].triangle};
+  }
+  std::size_t end = 0;
+  lay_slabs(root_, end);
+}
+
+/// Of the node that is the child, whose entries begin at `end`, which goes on to where they end.
+void WideBvh::lay_slabs(std::uint32_t child, std::size_t& end) {
+  const bool is_leaf = (child >> 31) != 0;
+  Node& node = nodes_[is_leaf ? ~child : child];
+  std::array<std::size_t, width + 1> bounds{};
+  bounds[0] = end;
+  for (std::size_t i = 0; i < node.size; ++i) {
+    if (is_leaf) {
+      ++end;
+    } else {
+      lay_slabs(node.child[i], end);
+    }
+    bounds[i + 1] = end;
+  }
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = bounds[0]; i < end; ++i) {
+    const auto& [a, b, c] = entries_[i].corners;
+    sum += (scale_ * (b - a)).cross(scale_ * (c - a));
+  }
+  const double length = sum.norm();
+  const Eigen::Vector3f normal = (length > 0.0 ? Vec3(sum / length) : Vec3::UnitX()).cast<float>();
+  Eigen::Map<Eigen::Vector3f>(node.normal.data()) = normal;
+  const Vec3 n = scale_ * normal.cast<double>();
+  for (std::size_t i = 0; i < node.size; ++i) {
+    double from = std::numeric_limits<double>::infinity();
+    double to = -from;
+    for (std::size_t k = bounds[i]; k < bounds[i + 1]; ++k) {
+      for (const Vec3& corner : entries_[k].corners) {
+        const double place = n.dot(corner - centre_);
+        from = std::min(from, place);
+        to = std::max(to, place);
+      }
+    }
+    node.from[i] = static_cast<float>(from);
+    node.to[i] = static_cast<float>(to);
   }
 }
 

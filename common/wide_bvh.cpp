@@ -17,8 +17,8 @@ std::uint32_t first_bits(std::uint32_t count) { return (1U << count) - 1U; }
 
 /// Calls `visit` with the places of the bits that are set.
 template <typename Visit>
-void for_each_bit(std::uint32_t bits, const Visit& visit) {
-  for (; bits != 0; bits &= bits - 1U) visit(static_cast<std::size_t>(std::countr_zero(bits)));
+void for_each_bit(std::uint64_t bits, const Visit& visit) {
+  for (; bits != 0; bits &= bits - 1) visit(static_cast<std::size_t>(std::countr_zero(bits)));
 }
 
 /// Where eight boxes reach from and to along a direction.
@@ -111,20 +111,19 @@ FloatMask apart(const Node& boxes, std::size_t part, const Node& others, std::si
 }
 
 /// The same of slabs.
-template <typename Some, typename Others>
-FloatMask apart_along(const Some& slabs, std::size_t part, const Others& others, std::size_t j) {
-  return (loaded<Floats>(&slabs.from[part]) > others.to[j]) |
-         (loaded<Floats>(&slabs.to[part]) < others.from[j]);
+template <typename Some>
+FloatMask apart_along(const Some& slabs, std::size_t part, float from, float to) {
+  return (loaded<Floats>(&slabs.from[part]) > to) | (loaded<Floats>(&slabs.to[part]) < from);
 }
 
-/// Of `size` lanes those where apart(part) is not set.
+/// The lanes where apart(part) is not set.
 template <typename Apart>
-std::uint32_t near_ones(std::uint32_t size, const Apart& apart) {
+std::uint32_t near_ones(const Apart& apart) {
   std::uint32_t result = 0;
   for (std::size_t part = 0; part < width; part += float_lanes) {
     result |= (~bits(apart(part)) & first_bits(float_lanes)) << part;
   }
-  return result & first_bits(size);
+  return result;
 }
 
 template <bool moved>
@@ -183,55 +182,62 @@ class Query {
     (is_leaf(a) && is_leaf(b) ? leaves_ : nodes_).push_back({a, b});
   }
 
-  /// Calls `visit` with each child j of b and those children of a whose boxes overlap its box.
-  template <typename Visit>
-  void for_each_overlap(const Node& a, const Node& b, const Visit& visit) {
+  /// Which children overlap: bit 8 j + i tells of child i of a and child j of b. All 64 are asked:
+  /// a branch that cannot be foretold costs more.
+  std::uint64_t overlaps(const Node& a, const Node& b) {
     if (&b != mapped_) to_a_.map<moved>(b, b_in_a_);
     mapped_ = &b;
-    const std::uint32_t near_all = near_ones(b.size, [&](std::size_t part) {
-      return apart(
-          b_in_a_, part, [&](std::size_t k) { return a.all_low[k]; },
-          [&](std::size_t k) { return a.all_high[k]; });
-    });
-    if (near_all == 0) return;
-    if constexpr (moved) to_b_.map<true>(a, a_in_b_);
     Slabs slabs_a, slabs_b;
-    to_b_.project(a, b.normal, slabs_a);
     to_a_.project(b, a.normal, slabs_b);
-    for_each_bit(near_all, [&](std::size_t j) {
-      const std::uint32_t near = near_ones(a.size, [&](std::size_t part) {
-        FloatMask result = apart(a, part, b_in_a_, j) | apart_along(a, part, slabs_b, j) |
-                           apart_along(slabs_a, part, b, j);
-        if constexpr (moved) result |= apart(a_in_b_, part, b, j);
-        return result;
-      });
-      if (near != 0) visit(j, near);
+    const std::uint32_t near_all = near_ones([&](std::size_t part) {
+      return apart(
+                 b_in_a_, part, [&](std::size_t k) { return a.all_low[k]; },
+                 [&](std::size_t k) { return a.all_high[k]; }) |
+             apart_along(slabs_b, part, a.all_from, a.all_to);
     });
+    if ((near_all & first_bits(b.size)) == 0) return 0;
+    if constexpr (moved) to_b_.map<true>(a, a_in_b_);
+    to_b_.project(a, b.normal, slabs_a);
+    std::uint64_t result = 0;
+    for (std::size_t j = 0; j < width; ++j) {
+      const std::uint64_t near = near_ones([&](std::size_t part) {
+        FloatMask mask = apart(a, part, b_in_a_, j) |
+                         apart_along(a, part, slabs_b.from[j], slabs_b.to[j]) |
+                         apart_along(slabs_a, part, b.from[j], b.to[j]);
+        if constexpr (moved) mask |= apart(a_in_b_, part, b, j);
+        return mask;
+      });
+      result |= near << (width * j);
+    }
+    constexpr std::uint64_t each_row = 0x0101010101010101;
+    const std::uint64_t rows = ~std::uint64_t{0} >> (64 - width * b.size);
+    return result & rows & (each_row * first_bits(a.size));
   }
 
   void test(std::uint32_t child_a, std::uint32_t child_b) {
     const Node& a = node(a_, child_a);
     const Node& b = node(b_, child_b);
     found_.box_tests += std::uint64_t{a.size} * b.size;
-    std::uint32_t near_leaf_b = 0;
-    for_each_overlap(a, b, [&](std::size_t j, std::uint32_t near) {
-      if (is_leaf(child_a)) {
-        push(child_a, b.child[j]);
-      } else if (is_leaf(child_b)) {
-        near_leaf_b |= near;
-      } else {
-        for_each_bit(near, [&](std::size_t i) { push(a.child[i], b.child[j]); });
+    const std::uint64_t near = overlaps(a, b);
+    if (is_leaf(child_a)) {
+      for (std::size_t j = 0; j < width; ++j) {
+        if ((near >> (width * j) & 255U) != 0) push(child_a, b.child[j]);
       }
-    });
-    for_each_bit(near_leaf_b, [&](std::size_t i) { push(a.child[i], child_b); });
+    } else if (is_leaf(child_b)) {
+      for (std::size_t i = 0; i < width; ++i) {
+        if ((near >> i & 0x0101010101010101) != 0) push(a.child[i], child_b);
+      }
+    } else {
+      for_each_bit(near, [&](std::size_t i) { push(a.child[i % width], b.child[i / width]); });
+    }
   }
 
   void test_leaves(std::uint32_t child_a, std::uint32_t child_b) {
     const Node& a = node(a_, child_a);
     const Node& b = node(b_, child_b);
     found_.triangle_tests += std::uint64_t{a.size} * b.size;
-    for_each_overlap(a, b, [&](std::size_t j, std::uint32_t near) {
-      for_each_bit(near, [&](std::size_t i) { batch_.add(a.child[i], b.child[j]); });
+    for_each_bit(overlaps(a, b), [&](std::size_t i) {
+      batch_.add(a.child[i % width], b.child[i / width]);
     });
   }
 

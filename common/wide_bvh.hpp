@@ -33,6 +33,7 @@ class WideBvh {
     /// triangles reach along it.
     std::array<float, 3> normal{};
     std::array<float, width> from{}, to{};
+    float all_from = 0.0F, all_to = 0.0F;
   };
   /// A triangle, where its neighbours are.
   struct Entry {

@@ -276,6 +276,8 @@ void WideBvh::lay_slabs(std::uint32_t child, std::size_t& end) {
     }
     node.from[i] = static_cast<float>(from);
     node.to[i] = static_cast<float>(to);
+    node.all_from = i == 0 ? node.from[i] : std::min(node.all_from, node.from[i]);
+    node.all_to = i == 0 ? node.to[i] : std::max(node.all_to, node.to[i]);
   }
 }
 

@@ -96,7 +96,8 @@ Verdict verdict(const Corners& corners_a, const Corners& corners_b) {
   const Vector b2 = pick(turn_b_over, b[1], b[2]);
   const Sign first = sign(normal(a[0], a1, b[0]), b1 - a[0]);
   const Sign second = sign(normal(a[0], a2, b2), b[0] - a[0]);
-  return {sure & first.below & second.below, apart_by_plane | (sure & (first.above | second.above))};
+  return {sure & first.below & second.below,
+          apart_by_plane | (sure & (first.above | second.above))};
 }
 
 /// Least digit first. Sorting by comparison would cost as much as finding the pairs.

@@ -29,7 +29,8 @@ struct Slabs {
 /// Eight boxes of one tree, led to the other's frame and units as boxes around them.
 class BoxMap {
  public:
-  BoxMap(const Mat3& matrix, const Vec3& shift, double margin) : margin_(static_cast<float>(margin)) {
+  BoxMap(const Mat3& matrix, const Vec3& shift, double margin)
+      : margin_(static_cast<float>(margin)) {
     for (Eigen::Index k = 0; k < 3; ++k) {
       const auto row = static_cast<std::size_t>(k);
       shift_[row] = static_cast<float>(shift[k]);
@@ -130,8 +131,11 @@ template <bool moved>
 class Query {
  public:
   Query(const WideBvh& a, const WideBvh& b, const RigidTransform& a_from_b, TrianglesMeet meet)
-      : a_(a), b_(b), batch_(a, b, a_from_b, meet),
-        to_a_(Mat3::Identity(), Vec3::Zero(), 0.0), to_b_(to_a_) {
+      : a_(a),
+        b_(b),
+        batch_(a, b, a_from_b, meet),
+        to_a_(Mat3::Identity(), Vec3::Zero(), 0.0),
+        to_b_(to_a_) {
     const Mat3& R = a_from_b.rotation;
     const double ratio = a.scale() / b.scale();
     const Vec3 shift = (R * b.centre() + a_from_b.translation - a.centre()) * a.scale();
@@ -236,9 +240,8 @@ class Query {
     const Node& a = node(a_, child_a);
     const Node& b = node(b_, child_b);
     found_.triangle_tests += std::uint64_t{a.size} * b.size;
-    for_each_bit(overlaps(a, b), [&](std::size_t i) {
-      batch_.add(a.child[i % width], b.child[i / width]);
-    });
+    for_each_bit(overlaps(a, b),
+                 [&](std::size_t i) { batch_.add(a.child[i % width], b.child[i / width]); });
   }
 
   const WideBvh& a_;

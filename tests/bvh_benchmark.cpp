@@ -77,14 +77,13 @@ std::vector<std::pair<std::string, Build>> kinds() {
 void add(const std::string& name, const std::shared_ptr<const ShapePair>& shapes) {
   for (const auto& [kind, build] : kinds()) {
     const auto trees = std::make_shared<Ask>();
-    benchmark::RegisterBenchmark((name + "/" + kind).c_str(),
-                                 [=, build = build](benchmark::State& state) {
-                                   if (!*trees) *trees = build(*shapes);
-                                   std::size_t pairs = (*trees)();
-                                   for (auto _ : state) pairs = (*trees)();
-                                   state.counters["pairs"] = static_cast<double>(pairs);
-                                 })
-        ->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark((name + "/" + kind).c_str(), [=, build = build](
+                                                                  benchmark::State& state) {
+      if (!*trees) *trees = build(*shapes);
+      std::size_t pairs = (*trees)();
+      for (auto _ : state) pairs = (*trees)();
+      state.counters["pairs"] = static_cast<double>(pairs);
+    })->Unit(benchmark::kMillisecond);
   }
 }
 
@@ -102,13 +101,12 @@ int main(int argc, char** argv) {
   }
   const auto tori_at_rest = std::make_shared<const ShapePair>(shapes.at("tori"));
   for (const auto& [kind, build] : kinds()) {
-    benchmark::RegisterBenchmark(("build/" + kind).c_str(),
-                                 [=, build = build](benchmark::State& state) {
-                                   for (auto _ : state) {
-                                     benchmark::DoNotOptimize(build(*tori_at_rest));
-                                   }
-                                 })
-        ->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark(("build/" + kind).c_str(), [=, build = build](
+                                                                benchmark::State& state) {
+      for (auto _ : state) {
+        benchmark::DoNotOptimize(build(*tori_at_rest));
+      }
+    })->Unit(benchmark::kMillisecond);
   }
   benchmark::RunSpecifiedBenchmarks();
 }

@@ -139,8 +139,8 @@ TEST_CASE("A matrix that turns and stretches still finds all") {
 
 TEST_CASE("A wide tree saves triangle tests") {
   const TriangleMesh mesh = common::bumpy_torus(10000);
-  const auto found = find_intersections(WideBvh(mesh), WideBvh(shifted(mesh, {0.5, 0.2, 0.1})),
-                                        triangles_meet);
+  const auto found =
+      find_intersections(WideBvh(mesh), WideBvh(shifted(mesh, {0.5, 0.2, 0.1})), triangles_meet);
   CHECK(found.pairs.size() > 1000);
   CHECK(found.triangle_tests < 1000 * found.pairs.size());
   CHECK(found.box_tests < mesh.triangles.size() * 10);

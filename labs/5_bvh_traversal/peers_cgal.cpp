@@ -61,8 +61,8 @@ class CgalTrees : public PeerTrees {
       met.clear();
       tree_.all_intersected_primitives(b_[j], std::back_inserter(met));
       for (const auto& i : met) {
-        found.pairs.push_back({static_cast<std::uint32_t>(i - a_.cbegin()),
-                               static_cast<std::uint32_t>(j)});
+        found.pairs.push_back(
+            {static_cast<std::uint32_t>(i - a_.cbegin()), static_cast<std::uint32_t>(j)});
       }
     }
     found.triangle_tests = tree_.traits().tests;

@@ -64,20 +64,25 @@ class BoxMap {
     }
   }
 
-  /// How far eight boxes reach along the other's normal.
-  void project(const Node& boxes, const std::array<float, 3>& normal, Slabs& to) const {
+  /// How far eight children reach along the other's normal n. What n has in common with their own
+  /// normal m is told by their slabs, the rest by their boxes: x·n = (m·n) x·m + x·(n − (m·n) m).
+  void project(const Node& of, const std::array<float, 3>& normal, Slabs& to) const {
     std::array<float, 3> n{};
     float shift = 0.0F;
     for (std::size_t k = 0; k < 3; ++k) {
       shift += normal[k] * shift_[k];
       for (std::size_t l = 0; l < 3; ++l) n[l] += normal[k] * matrix_[k][l];
     }
+    const float common = n[0] * of.normal[0] + n[1] * of.normal[1] + n[2] * of.normal[2];
+    for (std::size_t l = 0; l < 3; ++l) n[l] -= common * of.normal[l];
     for (std::size_t part = 0; part < width; part += float_lanes) {
-      Floats centre = Floats{} + 2.0F * shift;
-      Floats half = Floats{} + 4.0F * margin_;
+      const auto from = loaded<Floats>(&of.from[part]);
+      const auto until = loaded<Floats>(&of.to[part]);
+      Floats centre = 2.0F * shift + common * (from + until);
+      Floats half = 4.0F * margin_ + std::abs(common) * (until - from);
       for (std::size_t k = 0; k < 3; ++k) {
-        const auto low = loaded<Floats>(&boxes.low[k][part]);
-        const auto high = loaded<Floats>(&boxes.high[k][part]);
+        const auto low = loaded<Floats>(&of.low[k][part]);
+        const auto high = loaded<Floats>(&of.high[k][part]);
         centre += n[k] * (low + high);
         half += std::abs(n[k]) * (high - low);
       }

@@ -1,91 +1,110 @@
 #include "common/exact_number.hpp"
 
-#include <boost/multiprecision/cpp_int.hpp>
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace common {
-
-using boost::multiprecision::cpp_int;
-
-/// mantissa 2^exponent.
-struct ExactNumber::Parts {
-  cpp_int mantissa;
-  int exponent = 0;
-};
-
 namespace {
 
-constexpr int digits_of_double = 53;
+constexpr int digit_bits = 32;
+constexpr std::int64_t base = std::int64_t{1} << digit_bits;
 
-/// The double nearest to mantissa 2^exponent towards zero, and what that leaves of the mantissa.
-double leading_double(cpp_int& mantissa, int exponent) {
-  if (mantissa.is_zero()) return 0.0;
-  const bool negative = mantissa < 0;
-  const cpp_int size = negative ? cpp_int(-mantissa) : mantissa;
-  const int excess = static_cast<int>(msb(size)) + 1 - digits_of_double;
-  cpp_int leading = size;
-  if (excess > 0)
-    leading = (size >> static_cast<unsigned>(excess)) << static_cast<unsigned>(excess);
-  mantissa = negative ? cpp_int(leading - size) : cpp_int(size - leading);
-  const int shift = excess > 0 ? excess : 0;
-  const double value = std::ldexp(
-      static_cast<double>(cpp_int(leading >> static_cast<unsigned>(shift))), exponent + shift);
-  return negative ? -value : value;
-}
+/// What a digit hands on to the next so that the rest is in [−base/2, base/2). Digits of both signs
+/// need no borrowing: 2^1000 − 1 has two that are not zero.
+std::int64_t carry_of(std::int64_t digit) { return ((digit >> (digit_bits - 1)) + 1) >> 1; }
 
 }  // namespace
 
-ExactNumber::ExactNumber() : parts_(std::make_unique<Parts>()) {}
-
-ExactNumber::ExactNumber(double value) : ExactNumber() {
-  const double whole = std::ldexp(std::frexp(value, &parts_->exponent), digits_of_double);
-  parts_->mantissa = static_cast<long long>(whole);
-  parts_->exponent = value == 0.0 ? 0 : parts_->exponent - digits_of_double;
+ExactNumber::ExactNumber(double value) {
+  if (value == 0.0) return;
+  constexpr int mantissa_bits = 53;
+  int exponent = 0;
+  const double fraction = std::frexp(value, &exponent);
+  const auto mantissa = static_cast<std::int64_t>(std::ldexp(fraction, mantissa_bits));
+  exponent -= mantissa_bits;
+  const int lowest = exponent >> 5;  // rounded down, of either sign
+  const std::int64_t factor = std::int64_t{1} << (exponent - digit_bits * lowest);
+  const std::int64_t high = mantissa >> digit_bits;
+  *this = ExactNumber({(mantissa - high * base) * factor, high * factor, 0}, lowest);
 }
 
-ExactNumber::ExactNumber(const ExactNumber& other)
-    : parts_(std::make_unique<Parts>(*other.parts_)) {}
-ExactNumber::ExactNumber(ExactNumber&& other) noexcept = default;
-ExactNumber& ExactNumber::operator=(ExactNumber&& other) noexcept = default;
-ExactNumber::~ExactNumber() = default;
+ExactNumber::ExactNumber(Digits digits, int lowest) : digits_(std::move(digits)), lowest_(lowest) {
+  std::int64_t carry = 0;
+  for (std::int64_t& digit : digits_) {
+    if (digit == 0 && carry == 0) continue;  // most are, where sizes differ by much
+    digit += carry;
+    carry = carry_of(digit);
+    digit = static_cast<std::int32_t>(digit);  // what is left: the lowest bits, with their sign
+  }
+  if (carry != 0) digits_.push_back(carry);
+  while (!digits_.empty() && digits_.back() == 0) digits_.pop_back();
+  const auto first = std::find_if(digits_.begin(), digits_.end(), [](auto d) { return d != 0; });
+  lowest_ = digits_.empty() ? 0 : lowest + static_cast<int>(first - digits_.begin());
+  digits_.erase(digits_.begin(), first);
+}
 
-ExactNumber& ExactNumber::operator=(const ExactNumber& other) {
-  if (this != &other) parts_ = std::make_unique<Parts>(*other.parts_);
-  return *this;
+ExactNumber ExactNumber::sum(const ExactNumber& a, const ExactNumber& b, int sign_of_b) {
+  const int lowest = std::min(a.lowest_, b.lowest_);
+  Digits digits(static_cast<std::size_t>(std::max(a.end(), b.end()) - lowest) + 1);
+  const auto a_first = digits.begin() + (a.lowest_ - lowest);
+  const auto b_first = digits.begin() + (b.lowest_ - lowest);
+  std::copy(a.digits_.begin(), a.digits_.end(), a_first);
+  std::transform(b.digits_.begin(), b.digits_.end(), b_first, b_first,
+                 [&](std::int64_t added, std::int64_t to) { return to + sign_of_b * added; });
+  return {std::move(digits), lowest};
 }
 
 ExactNumber operator+(const ExactNumber& a, const ExactNumber& b) {
-  const ExactNumber::Parts& high = a.parts_->exponent >= b.parts_->exponent ? *a.parts_ : *b.parts_;
-  const ExactNumber::Parts& low = a.parts_->exponent >= b.parts_->exponent ? *b.parts_ : *a.parts_;
-  if (high.mantissa.is_zero()) return &low == a.parts_.get() ? a : b;
-  ExactNumber sum;
-  sum.parts_->mantissa =
-      (high.mantissa << static_cast<unsigned>(high.exponent - low.exponent)) + low.mantissa;
-  sum.parts_->exponent = low.exponent;
-  return sum;
+  return ExactNumber::sum(a, b, 1);
 }
 
 ExactNumber operator-(const ExactNumber& a, const ExactNumber& b) {
-  ExactNumber opposite = b;
-  opposite.parts_->mantissa = -opposite.parts_->mantissa;
-  return a + opposite;
+  return ExactNumber::sum(a, b, -1);
 }
 
 ExactNumber operator*(const ExactNumber& a, const ExactNumber& b) {
-  ExactNumber product;
-  product.parts_->mantissa = a.parts_->mantissa * b.parts_->mantissa;
-  product.parts_->exponent = a.parts_->exponent + b.parts_->exponent;
-  return product;
+  ExactNumber::Digits digits(a.digits_.size() + b.digits_.size());
+  for (std::size_t i = 0; i < a.digits_.size(); ++i) {
+    if (a.digits_[i] == 0) continue;
+    for (std::size_t j = 0; j < b.digits_.size(); ++j) {
+      const std::int64_t product = a.digits_[i] * b.digits_[j];
+      digits[i + j] += product & (base - 1);  // in halves: a thousand of them do not overflow
+      digits[i + j + 1] += product >> digit_bits;
+    }
+  }
+  return {std::move(digits), a.lowest_ + b.lowest_};
 }
 
-int ExactNumber::sign() const { return parts_->mantissa.sign(); }
+int ExactNumber::sign() const {
+  if (digits_.empty()) return 0;
+  return digits_.back() < 0 ? -1 : 1;
+}
 
-DoubleDouble ExactNumber::rounded() const {
-  cpp_int mantissa = parts_->mantissa;
-  const double high = leading_double(mantissa, parts_->exponent);
-  const double low = leading_double(mantissa, parts_->exponent);
-  return std::isfinite(high) ? two_sum(high, low) : DoubleDouble(high);
+DoubleDouble ExactNumber::fraction() const {
+  constexpr std::size_t enough = 5;  // the first holds a bit at least, each further one 32
+  const std::size_t count = std::min(enough, digits_.size());
+  DoubleDouble sum;
+  for (auto digit = digits_.end() - static_cast<std::ptrdiff_t>(count); digit != digits_.end();
+       ++digit) {
+    sum = (DoubleDouble(static_cast<double>(*digit)) + sum) * DoubleDouble(1.0 / base);
+  }
+  return sum;
+}
+
+int ExactNumber::exponent() const {
+  if (digits_.empty()) return 0;
+  int exponent = 0;
+  std::frexp(fraction().high, &exponent);
+  return exponent + digit_bits * end();
+}
+
+DoubleDouble ExactNumber::rounded(int shift) const {
+  const DoubleDouble value = fraction();
+  const double high = std::ldexp(value.high, digit_bits * end() + shift);
+  if (!std::isfinite(high)) return {high};
+  return quick_two_sum(high, std::ldexp(value.low, digit_bits * end() + shift));
 }
 
 }  // namespace common

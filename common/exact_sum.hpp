@@ -1,8 +1,9 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
+
+#include "common/double_double.hpp"
 
 namespace common {
 
@@ -16,20 +17,18 @@ class ExactSum {
   void add(double term) {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < size_; ++i) {
-      const double sum = term + parts_[i];
-      const double back = sum - term;
-      const double error = (term - (sum - back)) + (parts_[i] - back);
-      if (error != 0.0) parts_[kept++] = error;
-      term = sum;
+      const DoubleDouble sum = two_sum(term, parts_[i]);
+      if (sum.low != 0.0) parts_[kept++] = sum.low;
+      term = sum.high;
     }
     if (term != 0.0) parts_[kept++] = term;
     size_ = kept;
   }
 
   void add_product(double a, double b) {
-    const double product = a * b;
-    add(std::fma(a, b, -product));
-    add(product);
+    const DoubleDouble product = two_product(a, b);
+    add(product.low);
+    add(product.high);
   }
 
   void add_product(const ExactSum& a, const ExactSum& b) {

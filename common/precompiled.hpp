@@ -3,7 +3,10 @@
 // What a save must not parse again. Headers alone: GCC does not keep in a precompiled header what
 // templates become for given types, so an example of use in here would be compiled at every save.
 // No file includes it; see common/cmake/AddLab.cmake.
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "common/not_implemented.hpp"

@@ -37,4 +37,12 @@ inline void require_not_negative(double value, const char* name) {
   }
 }
 
+/// Of length one to 1e-9.
+inline void require_unit(const Vec3& value, const char* name) {
+  if (!(std::abs(value.norm() - 1.0) <= 1e-9)) {
+    throw std::invalid_argument(std::string(name) + ": want length one, got " +
+                                std::to_string(value.norm()));
+  }
+}
+
 }  // namespace common

@@ -168,7 +168,7 @@ std::string chart_script(const Chart& chart) {
   std::string plots;
   for (std::size_t i = 0; i < shown.series.size(); ++i) {
     const ChartSeries& series = shown.series[i];
-    s += direct_label(static_cast<int>(i) + 1, series, heights[i], axes.error);
+    s += direct_label(static_cast<int>(i) + 1, series, heights[i], {least, axes.error.high});
     s += data_block("good" + std::to_string(i + 1), series, Status::ok, least);
     s += data_block("failed" + std::to_string(i + 1), series, Status::unstable, least);
     plots += (plots.empty() ? "" : ", \\\n     ") + curve(series, i) + slope(series);

@@ -9,7 +9,7 @@ namespace render {
 namespace {
 
 // In units of a Sheet, whose letters are DejaVu Sans 13 at 4/3.
-constexpr double width = 1000.0;
+constexpr double picture_width = 1000.0;
 constexpr double letter_width = 9.0;
 constexpr double more_of_wide_letter = 5.0;  // W, M, w, m
 constexpr double small_letter_width = 8.4;
@@ -86,7 +86,7 @@ std::vector<std::string> broken(const std::string& text, const std::string& sepa
 
 /// As few lines as fit in the picture's width, and these about equally long.
 std::vector<std::string> in_lines(const std::string& text, const std::string& separator) {
-  auto limit = static_cast<std::size_t>((width - left_margin) / small_letter_width);
+  auto limit = static_cast<std::size_t>((picture_width - left_margin) / small_letter_width);
   std::vector<std::string> lines = broken(text, separator, limit);
   for (; limit > 0; --limit) {
     std::vector<std::string> shorter = broken(text, separator, limit - 1);
@@ -125,7 +125,7 @@ Sheet make_sheet(const SheetContent& content) {
   double widest = 0.0;
   for (const std::string& label : content.labels) widest = std::max(widest, label_width(label));
   sheet.left = left_margin;
-  sheet.right = width - label_indent - widest;
+  sheet.right = picture_width - label_indent - widest;
   sheet.top = first_line_centre + static_cast<double>(sheet.subtitle.size()) * line_height;
   sheet.bottom = sheet.top + content.plot_height;
   sheet.height = sheet.bottom + axis_height + static_cast<double>(sheet.notes.size()) * line_height;
@@ -142,13 +142,13 @@ std::string sheet_start(const Sheet& sheet) {
   s += "set encoding utf8\nset border 3 lc rgb '#8d9299' lw 1\n";
   s += "set tics nomirror out scale 0.6 tc rgb '#282c34'\n";
   s += "set grid xtics ytics back lt 1 lw 0.7 lc rgb '#e4e6e9'\nunset key\n";
-  s += formatted("set lmargin at screen %.4f\nset rmargin at screen %.4f\n", sheet.left / width,
-                 sheet.right / width);
+  s += formatted("set lmargin at screen %.4f\nset rmargin at screen %.4f\n",
+                 sheet.left / picture_width, sheet.right / picture_width);
   return s;
 }
 
 std::string sheet_words(const Sheet& sheet) {
-  const double x = sheet.left / width;
+  const double x = sheet.left / picture_width;
   int tag = 901;
   std::string s = words_at(tag++, bold(sheet.title), x, screen_height(sheet, title_centre),
                            "font ',17' tc rgb '#282c34'");

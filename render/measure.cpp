@@ -78,6 +78,12 @@ void set_up_benchmark() {
 
 }  // namespace
 
+std::vector<double> ladder(int first, int last, int factor) {
+  std::vector<double> values;
+  for (int value = first; value <= last; value *= factor) values.push_back(value);
+  return values;
+}
+
 std::vector<ChartSeries> measured(const std::vector<Method>& methods) {
   set_up_benchmark();
   std::vector<ChartSeries> all;

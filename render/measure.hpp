@@ -29,6 +29,9 @@ struct Method {
   bool is_peer = false;  ///< another's code, see ChartSeries
 };
 
+/// first, factor first, factor² first … up to last: a method's parameters.
+std::vector<double> ladder(int first, int last, int factor = 2);
+
 /// Judges every method at every parameter, then times all of them by Google Benchmark in random
 /// order, several repeats each, and takes the median. A method that throws common::NotImplemented
 /// becomes a series without points that names the step.

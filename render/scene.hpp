@@ -27,6 +27,9 @@ struct Placement {
   Mat3 world_from_body = Mat3::Identity();
 };
 
+/// The attitude that lays a body's z axis, which is a cylinder's, along the world's x.
+inline const Mat3 z_along_x{{0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
+
 struct Box {
   Placement placement;
   Vec3 half_extents = Vec3::Constant(0.5);  ///< [m]

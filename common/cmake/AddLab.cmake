@@ -20,16 +20,15 @@ function(add_lab name)
   target_include_directories(${name}_contract INTERFACE "${CMAKE_CURRENT_SOURCE_DIR}")
   target_link_libraries(${name}_contract INTERFACE common)
 
-  file(GLOB test_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/${name}/*_test.cpp")
+  file(GLOB test_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/${name}/*.cpp")
   _read_cases(cases ${test_sources})
-  _add_program(${name}_test "${test_sources}" test_support)
-  target_precompile_headers(${name}_test REUSE_FROM test_support)
-  _add_program(${name}_scene scene.cpp render_scene)
+  _add_program(${name}_test "${test_sources}" test_support test_support)
+  _add_program(${name}_scene scene.cpp precompiled_project_flags render_scene)
   if(EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/peers.cpp")
     _add_peers()
-    _add_program(${name}_chart chart.cpp render_chart ${name}_peers)
+    _add_program(${name}_chart chart.cpp precompiled_project_flags render_chart ${name}_peers)
   else()
-    _add_program(${name}_chart chart.cpp render_chart)
+    _add_program(${name}_chart chart.cpp precompiled_project_flags render_chart)
   endif()
 
   _add_answer(student "${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp" answer_flags PICTURES)
@@ -89,12 +88,12 @@ endfunction()
 # Answers are small files that include the same big headers: one precompiled header a set of flags.
 function(_add_precompiled flags)
   add_library(precompiled_${flags} OBJECT "${PROJECT_SOURCE_DIR}/common/precompiled.cpp")
-  target_link_libraries(precompiled_${flags} PRIVATE common ${flags})
+  target_link_libraries(precompiled_${flags} PRIVATE Eigen3::Eigen ${flags})
   target_precompile_headers(precompiled_${flags} PRIVATE "${PROJECT_SOURCE_DIR}/common/precompiled.hpp")
 endfunction()
 
 # Compiles one of the lab's programs against the contract, without an implementation of it.
-function(_add_program program sources)
+function(_add_program program sources precompiled)
   foreach(target IN LISTS ARGN)
     if(NOT TARGET ${target})
       message(STATUS "${program} is left out: no ${target}")
@@ -103,6 +102,7 @@ function(_add_program program sources)
   endforeach()
   add_library(${program} OBJECT ${sources})
   target_link_libraries(${program} PUBLIC ${name}_contract PRIVATE project_flags PUBLIC ${ARGN})
+  target_precompile_headers(${program} REUSE_FROM ${precompiled})
 endfunction()
 
 # An engine that is not installed costs its own file only; a lab has files for those that do its work.
@@ -118,6 +118,7 @@ function(_add_peers)
   add_library(${name}_peers STATIC peers.cpp ${sources})
   target_include_directories(${name}_peers PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}")
   target_link_libraries(${name}_peers PUBLIC common PRIVATE project_flags ${engines})
+  set_target_properties(${name}_peers PROPERTIES UNITY_BUILD OFF)  # engines' headers do not mix
 endfunction()
 
 # _add_answer(<answer> <source> <flags> [PICTURES]): an implementation and the programs linked with it.
@@ -126,6 +127,7 @@ function(_add_answer answer source flags)
   add_library(${implementation} OBJECT "${source}")
   target_link_libraries(${implementation} PRIVATE ${name}_contract ${flags})
   target_precompile_headers(${implementation} REUSE_FROM precompiled_${flags})
+  set_target_properties(${implementation} PROPERTIES UNITY_BUILD OFF)  # editors look for the file
   set(kinds test)
   if("PICTURES" IN_LIST ARGN)
     list(APPEND kinds scene chart)
@@ -166,15 +168,18 @@ function(_add_cases answer label)
     add_test(NAME "${test}" COMMAND ${name}_${answer}_test "${case}" ${catch2_strict})
     # Catch2's own words: exit code 0 alone would pass an answer that calls exit(0), and a case that
     # asserts nothing.
-    set_tests_properties("${test}" PROPERTIES LABELS ${label} TIMEOUT 10
+    set_tests_properties("${test}" PROPERTIES LABELS ${label} TIMEOUT ${case_seconds}
       PASS_REGULAR_EXPRESSION "All tests passed [(][1-9]")
     list(APPEND names "${test}")
   endforeach()
   set(${answer}_tests "${names}" PARENT_SCOPE)
 endfunction()
 
-# A right answer passes whatever the seed.
+# A right answer passes whatever the seed; the sanitizers, ten times slower, look at one.
 function(_add_seeds answer)
+  if(TUMBLE_SANITIZE)
+    return()
+  endif()
   list(LENGTH cases count)
   set(test "kit/other seeds/${folder} ${answer}")
   add_test(NAME "${test}" COMMAND Python3::Interpreter -B
@@ -190,11 +195,17 @@ function(_add_stub_cases)
     set(test "${folder}/stub/${step}/${case}")
     add_test(NAME "${test}" COMMAND ${name}_student_test "${case}" ${catch2_strict})
     string(REPLACE "." "\\." step "${step}")
-    set_tests_properties("${test}" PROPERTIES LABELS stub TIMEOUT 10
+    set_tests_properties("${test}" PROPERTIES LABELS stub TIMEOUT ${case_seconds}
       PASS_REGULAR_EXPRESSION "${step} [a-z0-9_]+ is not written yet"
       FAIL_REGULAR_EXPRESSION "All tests passed")
   endforeach()
 endfunction()
+
+# What a case may take, so that a hang ends.
+set(case_seconds 10)
+if(TUMBLE_SANITIZE)
+  set(case_seconds 100)
+endif()
 
 _add_precompiled(answer_flags)
 _add_precompiled(project_flags)

@@ -6,6 +6,14 @@ add_library(base_flags INTERFACE)
 target_compile_features(base_flags INTERFACE cxx_std_20)
 target_include_directories(base_flags INTERFACE "${PROJECT_SOURCE_DIR}")
 set(CMAKE_CXX_EXTENSIONS OFF)
+# A formula rounds as it stands, on every machine; errno and traps, which nothing here reads, would
+# bar the compiler from computing many roots at a time.
+target_compile_options(base_flags INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math)
+if(TUMBLE_NATIVE)
+  # Eigen's types keep the layout that packaged libraries were built with.
+  target_compile_options(base_flags INTERFACE -march=native)
+  target_compile_definitions(base_flags INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
+endif()
 # While asserts are on, an index beyond a vector's end is an error that says so.
 target_compile_definitions(base_flags INTERFACE $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
 if(TUMBLE_SANITIZE)

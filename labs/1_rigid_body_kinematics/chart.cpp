@@ -61,8 +61,7 @@ render::Judgement judge(const Step& step, int steps, double offset, Attitude att
 template <typename Attitude, typename Step>
 render::Method method(const char* name, double order, render::Colour colour, double offset,
                       const Attitude& start, const Step& step) {
-  render::Method result{name, order, colour, {}, nullptr, nullptr, turns};
-  for (int steps = 4; steps <= 16384; steps *= 2) result.parameters.push_back(steps);
+  render::Method result{name, order, colour, render::ladder(4, 16384), nullptr, nullptr, turns};
   result.judge = [=](double steps) { return judge(step, static_cast<int>(steps), offset, start); };
   result.run = [=, steps = 0, omega = std::vector<Vec3>()](double parameter) mutable {
     if (steps != static_cast<int>(parameter)) {

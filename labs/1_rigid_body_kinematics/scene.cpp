@@ -8,7 +8,7 @@
 
 #include "common/attitude.hpp"
 #include "common/coning_motion.hpp"
-#include "common/not_implemented.hpp"
+#include "common/if_written.hpp"
 #include "render/film.hpp"
 #include "rigid_body_kinematics.hpp"
 
@@ -42,16 +42,13 @@ template <typename Attitude>
 std::optional<Track> tracked(Track track, Attitude attitude, double offset,
                              const std::function<Attitude(const Attitude&, const Vec3&)>& step,
                              std::vector<std::string>& missing) {
-  try {
+  return common::if_written(missing, [&] {
     for (int i = 0; i <= steps; ++i) {
       track.world_from_body.push_back(Mat3(attitude));
       attitude = step(attitude, angular_velocity(motion(), (i + offset) * dt));
     }
     return track;
-  } catch (const common::NotImplemented& error) {
-    missing.push_back(error.step_and_function());
-    return std::nullopt;
-  }
+  });
 }
 
 std::size_t step_at(double time) { return static_cast<std::size_t>(std::lround(time / dt)); }

@@ -18,12 +18,6 @@ namespace {
 constexpr int revolutions = 50;
 constexpr double nothing_is_known = 1.0;  // [rad]: an attitude this far off tells nothing
 
-std::vector<double> powers_of_two(int first, int last) {
-  std::vector<double> ladder;
-  for (int steps = first; steps <= last; steps *= 2) ladder.push_back(steps);
-  return ladder;
-}
-
 /// The largest error at the ends of all revolutions.
 template <typename Start>
 render::Judgement judge(const Problem& problem, int steps, const Start& begun) {
@@ -64,8 +58,8 @@ render::Method peer_method(const Peer& peer, const Problem& problem, double weig
   const auto begun = [=](const Problem& p, double dt) {
     return PeerMotion{peer.make(p.moments, p.start, dt), weight_moment};
   };
-  render::Method result = method(peer.name.c_str(), 1.0, {}, problem, {}, begun);
-  for (int steps = 16; steps <= 16384; steps *= 4) result.parameters.push_back(steps);
+  render::Method result =
+      method(peer.name.c_str(), 1.0, {}, problem, render::ladder(16, 16384, 4), begun);
   const auto motion = std::make_shared<PeerMotion>();
   result.prepare = [=](double steps) { *motion = begun(problem, problem.revolution / steps); };
   result.run = [=](double steps) {
@@ -78,9 +72,9 @@ render::Method peer_method(const Peer& peer, const Problem& problem, double weig
 }
 
 std::vector<render::Method> free_methods(const Problem& p) {
-  const std::vector<double> fine = powers_of_two(64, 16384);
-  const std::vector<double> middle = powers_of_two(8, 4096);
-  const std::vector<double> coarse = powers_of_two(8, 1024);
+  const std::vector<double> fine = render::ladder(64, 16384);
+  const std::vector<double> middle = render::ladder(8, 4096);
+  const std::vector<double> coarse = render::ladder(8, 1024);
   return {
       method("explicit loop", 1.0, palette::vermilion, p, fine, by_loop(0.0)),
       method("implicit, as engines do", 1.0, palette::orange, p, fine, by(step_implicit)),
@@ -91,15 +85,15 @@ std::vector<render::Method> free_methods(const Problem& p) {
       method("Moser-Veselov", 2.0, palette::purple, p, coarse, by_moser_veselov(no_correction)),
       method("Moser-Veselov, corrected", 4.0, palette::purple, p, coarse,
              by_moser_veselov(own_correction)),
-      method("Moser-Veselov, four corrections", 10.0, palette::purple, p, powers_of_two(8, 64),
+      method("Moser-Veselov, four corrections", 10.0, palette::purple, p, render::ladder(8, 64),
              by_moser_veselov(tenth_order_correction)),
-      method("exact step", 0.0, palette::green, p, powers_of_two(1, 64), exactly()),
+      method("exact step", 0.0, palette::green, p, render::ladder(1, 64), exactly()),
   };
 }
 
 std::vector<render::Method> top_methods(const Problem& p) {
-  const std::vector<double> fine = powers_of_two(32, 16384);
-  const std::vector<double> middle = powers_of_two(2, 2048);
+  const std::vector<double> fine = render::ladder(32, 16384);
+  const std::vector<double> middle = render::ladder(2, 2048);
   return {
       method("explicit loop", 1.0, palette::vermilion, p, fine, by_loop(heavy_top.weight_moment)),
       method("kicks, implicit between", 1.0, palette::orange, p, fine,
@@ -113,7 +107,7 @@ std::vector<render::Method> top_methods(const Problem& p) {
                                  return step_kick_drift_kick(heavy_top, spin, dt);
                                }};
              }),
-      method("the same in triple jumps", 4.0, palette::green, p, powers_of_two(2, 512),
+      method("the same in triple jumps", 4.0, palette::green, p, render::ladder(2, 512),
              by_triple_jump()),
   };
 }

@@ -8,7 +8,7 @@
 
 #include "common/attitude.hpp"
 #include "common/free_rotation.hpp"
-#include "common/not_implemented.hpp"
+#include "common/if_written.hpp"
 #include "gyroscopic_tumbling.hpp"
 #include "render/film.hpp"
 
@@ -45,14 +45,11 @@ using Track = std::vector<Spin>;
 /// What a method makes of a start; nothing, and an entry in `missing`, where it is not written.
 std::optional<Track> tracked(const Spin& start, const std::function<Spin(const Spin&)>& step,
                              std::vector<std::string>& missing) {
-  try {
+  return common::if_written(missing, [&] {
     Track track{start};
     while (track.size() <= steps) track.push_back(step(track.back()));
     return track;
-  } catch (const common::NotImplemented& error) {
-    missing.push_back(error.step_and_function());
-    return std::nullopt;
-  }
+  });
 }
 
 /// The loop of step 2.2 on a body that nothing pushes.
@@ -83,9 +80,8 @@ struct Rod {
 };
 
 void add_rod(render::Scene& scene, const Vec3& center, const Mat3& R, const Rod& rod) {
-  const Quat along = Quat::FromTwoVectors(Vec3::UnitZ(), rod.to - rod.from);
   scene.capsules.push_back(
-      {{center + R * (0.5 * (rod.from + rod.to)), R * along.toRotationMatrix()},
+      {{center + R * (0.5 * (rod.from + rod.to)), R * common::z_axis_towards(rod.to - rod.from)},
        rod.radius,
        0.5 * (rod.to - rod.from).norm(),
        {rod.colour, rod.colour}});

@@ -22,20 +22,17 @@ using common::Cylinder;
 using common::ParticleContact;
 using common::Vec3;
 
-/// The gap φ = √(y² + z²) − (R + r) [m]: above zero apart, zero touching, below zero inside.   eq.
-/// (1)
+/// The gap φ = √(y² + z²) − (R + r) [m]: > 0 apart, 0 touching, < 0 inside.        eq. (1)
 ///
 /// accuracy  a few ulp of √(y² + z²) and of ρ, for lengths from 1e-300 to 1e300
 double gap(const Vec3& position, double particle_radius, const Cylinder& cylinder);
 
-/// The gradient of the gap, (0, y, z)/√(y² + z²): unit, away from the axis.                    eq.
-/// (2)
+/// The gradient of the gap, (0, y, z)/√(y² + z²): unit, away from the axis.        eq. (2)
 ///
 /// On the axis, where the gap has no gradient: +y. A few ulp, for lengths from 1e-300 to 1e300.
 Vec3 gap_gradient(const Vec3& position);
 
-/// The contact, where the gap is zero or below; none otherwise.                                eq.
-/// (3)
+/// The contact, where the gap is zero or below; none otherwise.                    eq. (3)
 ///
 /// Both points stand on the line through the particle's centre and across the axis: R from the
 /// axis, and r from the centre towards it. `time` is passed on.
@@ -56,8 +53,7 @@ struct StraightPath {
 };
 
 /// The contact at the first of the times k duration/N, k = 0, 1, …, N, at which the gap is zero or
-/// below; none where it is above zero at all of them, whatever happens in between.             eq.
-/// (4)
+/// below; none where it is above zero at all of them, whatever happens in between. eq. (4)
 ///
 /// samples  N, at least 1
 std::optional<ParticleContact> first_sampled_contact(const StraightPath& path, int samples,
@@ -75,18 +71,18 @@ struct TriangleGap {
 };
 
 /// The least gap along the edge from a to b: in the yz-plane, the distance of a segment from the
-/// origin, less ρ.                                                                             eq.
-/// (5)
+/// origin, less ρ.                                                                 eq. (5)
 ///
 /// Several places may be equally near (an edge along x): any of them. a = b is a particle.
+/// accuracy  a few ulp of the ends' distances from the axis and of ρ, for lengths as in gap
 EdgeGap edge_gap(const Vec3& a, const Vec3& b, double particle_radius, const Cylinder& cylinder);
 
 /// The least gap over the triangle: in the yz-plane, the distance of a triangle from the origin,
-/// less ρ; −ρ where the axis goes through it.                                                  eq.
-/// (6)
+/// less ρ; −ρ where the axis goes through it.                                      eq. (6)
 ///
 /// Several places may be equally near: any of them. A triangle that the yz-plane shows as a segment
 /// or a point is its edges.
+/// accuracy  as in edge_gap; where the axis goes through, the weights of a sliver may be less sure
 TriangleGap triangle_gap(const Vec3& a, const Vec3& b, const Vec3& c, double particle_radius,
                          const Cylinder& cylinder);
 
@@ -112,7 +108,7 @@ SheetContacts sheet_contacts(const Sheet& sheet, const Cylinder& cylinder);
 
 /// How far off particles must be held so that checking them is enough: the least m such that a
 /// sheet whose edges are not longer than h, and whose particles all have a gap above m, has no edge
-/// and no triangle with a gap of zero or below. eq. (7), (8)
+/// and no triangle with a gap of zero or below.                                    eq. (7), (8)
 ///
 /// m = max(√(ρ² + h²/4), h/√3) − ρ [m]: the second where h > 2√3 ρ, when a cylinder can pierce an
 /// equilateral triangle without touching its edges. To a few ulp of ρ + h.

@@ -31,8 +31,7 @@ struct MovingParticle {
   double radius = 0.01;          ///< r [m]
 };
 
-/// t* as a textbook has it, in the yz-plane:                                              eq. (2),
-/// (3)
+/// t* as a textbook has it, in the yz-plane:                                       eq. (2), (3)
 ///
 ///   a = v·v,  b = 2 x·v,  c = x·x − ρ²;  0 where c ≤ 0;  else (−b − √(b² − 4 a c)) / 2a
 ///
@@ -41,19 +40,16 @@ struct MovingParticle {
 std::optional<double> time_of_impact_textbook(const MovingParticle& particle,
                                               const Cylinder& cylinder, double dt);
 
-/// a b − c d, to 2 ulp also where the two products cancel.                            eq. (4);
-/// Kahan
+/// a b − c d, to 2 ulp also where the two products cancel (Kahan).                 eq. (4)
 ///
 /// Exact products must stay within 1e-290 and 1e300.
 double difference_of_products(double a, double b, double c, double d);
 
-/// t* by the cross form: discriminant ρ² |v|² − (x × v)², and the root that does not cancel. eq.
-/// (5), (6)
+/// t* by the cross form: discriminant ρ² |v|² − (x × v)², a root that does not cancel. eq. (5), (6)
 ///
-/// accuracy  no impact is missed; t* to 4 ulp where the path goes deep and the start is well
-/// outside;
-///           a path that passes within rounding of ρ may be taken for a hit. Lengths and speeds are
-///           within 1e-60 and 1e60, or zero.
+/// accuracy  no impact is missed; t* to 4 ulp where the path comes within 0.7 ρ of the axis and
+///           starts beyond 1.5 ρ; a path that passes within rounding of ρ may be taken for a hit.
+///           Lengths and speeds are within 1e-60 and 1e60, or zero.
 std::optional<double> time_of_impact(const MovingParticle& particle, const Cylinder& cylinder,
                                      double dt);
 
@@ -68,17 +64,18 @@ struct Advancement {
 };
 
 /// The first t of the sequence t ← t + φ/|v|, from t = 0, with φ ≤ tolerance; none where t passes
-/// dt first.                                                                              eq. (8)
+/// dt first.                                                                       eq. (8)
 ///
 /// Needs nothing but φ and a bound of the speed, |v| in the yz-plane. It is never late; it is early
-/// by as long as the last `tolerance` takes, and takes a pass closer than that for a hit.
+/// by as long as the last `tolerance` takes, and takes a pass closer than that for a hit. Where
+/// φ/|v| is too small for t to grow, t is the answer.
+///
 /// tolerance  above zero [m]
 Advancement conservative_advancement(const MovingParticle& particle, const Cylinder& cylinder,
                                      double dt, double tolerance);
 
 /// The contact at `time`: the normal unit and away from the axis (+y on it), the point on the
-/// cylinder R from the axis to rounding, whatever the last bits of `time`.                    eq.
-/// (9)
+/// cylinder R from the axis to rounding, whatever the last bits of `time`.         eq. (9)
 ParticleContact contact_at(const MovingParticle& particle, const Cylinder& cylinder, double time);
 
 /// Many particles of one radius, an array a coordinate: what does not move in the yz-plane is left
@@ -108,7 +105,7 @@ struct MovingEdge {
 };
 
 /// The smallest t in [0, dt] at which any point of the edge has φ ≤ 0; none where there is none.
-///                                                                                   eq. (10), (11)
+///                                                                                 eq. (10), (11)
 /// accuracy  hit or miss as in exact arithmetic; t* to 1e-14 of dt
 std::optional<double> time_of_impact_of_edge(const MovingEdge& edge, const Cylinder& cylinder,
                                              double dt);

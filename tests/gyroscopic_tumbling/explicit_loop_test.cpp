@@ -8,7 +8,7 @@ using tests::Trial;
 
 namespace {
 
-constexpr const char* function = "2.2 step_explicit";
+constexpr const char* explicit_function = "2.2 step_explicit";
 
 /// The loop as a step of a body free of forces.
 tests::SpinStep free_step(const Vec3& moments) {
@@ -32,7 +32,7 @@ TEST_CASE("A thrown body falls by its new velocity", "[2.2]") {
   const RigidBody body{2.0, Vec3(1.0, 2.0, 3.0)};
   const std::vector<AppliedForce> weight{{{0.0, 0.0, -20.0}, state.position}};
   const RigidBodyState got = step_explicit(body, state, weight, 0.5);
-  const Trial trial = tests::loop_trial(function, body, state, weight, 0.5);
+  const Trial trial = tests::loop_trial(explicit_function, body, state, weight, 0.5);
   trial.of("the velocity")
       .expect(got.velocity, Vec3(1.0, 0.0, -3.0), {16.0 * eps, "a product and a sum"},
               {{Vec3(1.0, 0.0, -8.0), "the force is not divided by the mass"}});
@@ -50,7 +50,7 @@ TEST_CASE("A force off the centre of mass starts a spin about its torque", "[2.2
   const RigidBody body{2.0, Vec3(1.0, 2.0, 3.0)};
   const std::vector<AppliedForce> push{{{0.0, 6.0, 0.0}, {6.0, 0.0, 0.0}}};
   const RigidBodyState got = step_explicit(body, state, push, 0.5);
-  tests::loop_trial(function, body, state, push, 0.5)
+  tests::loop_trial(explicit_function, body, state, push, 0.5)
       .of("the angular velocity")
       .expect(got.angular_velocity, Vec3(0.0, 0.0, 1.0), {16.0 * eps, "a few roundings"},
               {{Vec3(0.0, 0.0, 6.0), "the torque is about the world's origin"},
@@ -68,8 +68,8 @@ TEST_CASE("A turn of the loop updates velocities first and positions by them", "
       forces.push_back({random.vector(3.0), state.position + random.vector(1.0)});
     }
     const double dt = random.uniform(-0.2, 0.2);
-    tests::expect_loop(tests::loop_trial(function, body, state, forces, dt, i, 100), body, state,
-                       forces, dt, step_explicit(body, state, forces, dt));
+    tests::expect_loop(tests::loop_trial(explicit_function, body, state, forces, dt, i, 100), body,
+                       state, forces, dt, step_explicit(body, state, forces, dt));
   }
 }
 
@@ -78,8 +78,8 @@ TEST_CASE("Without forces the loop is told by the gyroscopic term alone", "[2.2]
   for (int i = 1; i <= 50; ++i) {
     const RigidBody body{1.0, tests::random_moments(random)};
     const RigidBodyState state = tests::random_state(random);
-    tests::expect_loop(tests::loop_trial(function, body, state, {}, 0.1, i, 50), body, state, {},
-                       0.1, step_explicit(body, state, {}, 0.1));
+    tests::expect_loop(tests::loop_trial(explicit_function, body, state, {}, 0.1, i, 50), body,
+                       state, {}, 0.1, step_explicit(body, state, {}, 0.1));
   }
 }
 
@@ -89,8 +89,8 @@ TEST_CASE("However slow the spin and however short the step the loop turns by it
     const RigidBody body{1.0, tests::random_moments(random)};
     const RigidBodyState state = tests::slow_state(random);
     const double dt = tests::dt_of_turn(random, state.angular_velocity.norm());
-    tests::expect_loop(tests::loop_trial(function, body, state, {}, dt, i, 40), body, state, {}, dt,
-                       step_explicit(body, state, {}, dt));
+    tests::expect_loop(tests::loop_trial(explicit_function, body, state, {}, dt, i, 40), body,
+                       state, {}, dt, step_explicit(body, state, {}, dt));
   }
 }
 
@@ -100,7 +100,7 @@ TEST_CASE("The loop keeps the attitude a unit quaternion", "[2.2]") {
   for (int i = 1; i <= 200; ++i) {
     const Spin before = spin;
     spin = step(spin, 0.01);
-    tests::spin_trial(function, tests::tumble_moments, before, i, 200)
+    tests::spin_trial(explicit_function, tests::tumble_moments, before, i, 200)
         .expect_small(
             "||q| - 1|", std::abs(spin.world_from_body.norm() - 1.0),
             {4.0 * eps, "normalised to a few ulp"},
@@ -109,7 +109,7 @@ TEST_CASE("The loop keeps the attitude a unit quaternion", "[2.2]") {
 }
 
 TEST_CASE("A body of equal moments does not tumble in the loop", "[2.2]") {
-  tests::expect_no_tumble_of_a_sphere(function, free_step(Vec3::Constant(2.0)));
+  tests::expect_no_tumble_of_a_sphere(explicit_function, free_step(Vec3::Constant(2.0)));
 }
 
 TEST_CASE("An explicit step makes the wobble grow by the root of one plus y squared", "[2.2]") {
@@ -118,7 +118,7 @@ TEST_CASE("An explicit step makes the wobble grow by the root of one plus y squa
     const tests::Wobble wobble{.axis = axis};
     const double y = wobble.precession() * 0.1;
     const double got = tests::growth_factor(wobble, free_step(wobble.moments), 0.1, 100);
-    tests::spin_trial(function, wobble.moments, wobble.start(1e-5), ++index, 2)
+    tests::spin_trial(explicit_function, wobble.moments, wobble.start(1e-5), ++index, 2)
         .given("dt", 0.1)
         .of("the wobble's growth a step")
         .expect(got, std::sqrt(1.0 + y * y), {1e-9, "the wobble's own square, 1e-10, and rounding"},
@@ -135,8 +135,9 @@ TEST_CASE("An explicit wobble is ten times as large when the formula says", "[2.
     const auto after = [&](double share) {
       return tests::growth(wobble, free_step(wobble.moments), 0.1, static_cast<int>(share * steps));
     };
-    const Trial trial = tests::spin_trial(function, wobble.moments, wobble.start(1e-5), ++index, 2)
-                            .given("steps to tenfold", steps);
+    const Trial trial =
+        tests::spin_trial(explicit_function, wobble.moments, wobble.start(1e-5), ++index, 2)
+            .given("steps to tenfold", steps);
     trial.expect_small("growth after 0.9 of these steps", after(0.9),
                        {10.0, "10^0.9 by the closed form: the wobble still holds"});
     trial.expect_small("10 - growth after 1.1 of these steps", 10.0 - after(1.1),
@@ -145,5 +146,5 @@ TEST_CASE("An explicit wobble is ten times as large when the formula says", "[2.
 }
 
 TEST_CASE("The loop converges with order one on a tumble", "[2.2]") {
-  tests::expect_order(function, free_step(tests::tumble_moments), 1024, 1.0);
+  tests::expect_order(explicit_function, free_step(tests::tumble_moments), 1024, 1.0);
 }

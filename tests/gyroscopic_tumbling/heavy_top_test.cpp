@@ -15,10 +15,10 @@ using tests::wide;
 
 namespace {
 
-constexpr const char* function = "2.6 step_kick_drift_kick";
+constexpr const char* kick_drift_kick_function = "2.6 step_kick_drift_kick";
 constexpr HeavyTop course_top{1.25, 0.5, 9.81};
 
-struct Variation {
+struct TopVariation {
   Real torque = 1;               ///< times the torque
   bool world_torque = false;     ///< the torque's world components
   bool body_down = false;        ///< down is −z of the body
@@ -32,7 +32,7 @@ VecL moments_of(const HeavyTop& top) {
   return {wide(top.transverse_moment), wide(top.transverse_moment), wide(top.axial_moment)};
 }
 
-VecL torque(const HeavyTop& top, const QuatL& q, const Variation& v = {}) {
+VecL torque(const HeavyTop& top, const QuatL& q, const TopVariation& v = {}) {
   const VecL down(0, 0, -1);
   const VecL arm(0, 0, 1);
   const Real size = v.torque * static_cast<Real>(top.weight_moment);
@@ -49,7 +49,7 @@ SpinL drift(const HeavyTop& top, const SpinL& spin, Real dt) {
   return {tests::turn(L / I.x() * dt) * spin.q * own, own.conjugate() * spin.omega};
 }
 
-SpinL step(const HeavyTop& top, const Spin& spin, Real dt, const Variation& v = {}) {
+SpinL step(const HeavyTop& top, const Spin& spin, Real dt, const TopVariation& v = {}) {
   const VecL I = moments_of(top);
   const auto change = [&](const VecL& T) {
     return VecL(v.kick * dt * (v.without_inertia ? T : T.cwiseQuotient(I).eval()));
@@ -64,7 +64,7 @@ SpinL step(const HeavyTop& top, const Spin& spin, Real dt, const Variation& v = 
 
 std::vector<tests::Suspect<tests::SpinValue>> suspects_of(const HeavyTop& top, const Spin& spin,
                                                           double dt) {
-  const auto with = [&](const Variation& v) { return narrow(step(top, spin, wide(dt), v)); };
+  const auto with = [&](const TopVariation& v) { return narrow(step(top, spin, wide(dt), v)); };
   return {{with({.torque = -1}), "the torque has the wrong sign: weight points down"},
           {with({.world_torque = true}), "the torque is in the world, want body axes"},
           {with({.body_down = true}), "down is turned the wrong way: want R^T (-z)"},
@@ -75,7 +75,7 @@ std::vector<tests::Suspect<tests::SpinValue>> suspects_of(const HeavyTop& top, c
 }
 
 Trial top_trial(const HeavyTop& top, const Spin& spin, int index = 1, int count = 1) {
-  return tests::spin_trial(function, narrow(moments_of(top)), spin, index, count)
+  return tests::spin_trial(kick_drift_kick_function, narrow(moments_of(top)), spin, index, count)
       .given("top.weight_moment", top.weight_moment);
 }
 

@@ -15,10 +15,10 @@ using tests::wide;
 
 namespace {
 
-constexpr const char* function = "2.3 step_implicit";
+constexpr const char* implicit_function = "2.3 step_implicit";
 constexpr const char* explicit_step = "Newton's Jacobian is I0 alone: an explicit step";
 
-struct Variation {
+struct ImplicitVariation {
   Real gyroscopic = 1;  ///< times the gyroscopic term, in residual and Jacobian
   Real turning = 1;     ///< times [ω′]ₓ I0 in the Jacobian
   Real momentum = 1;    ///< times [I0 ω′]ₓ in the Jacobian
@@ -37,13 +37,13 @@ VecL residual(const VecL& I, const VecL& old, const VecL& next, Real dt, Real si
   return times(I, VecL(next - old)) + sign * dt * next.cross(times(I, next));
 }
 
-MatL jacobian(const VecL& I, const VecL& next, Real dt, const Variation& v = {}) {
+MatL jacobian(const VecL& I, const VecL& next, Real dt, const ImplicitVariation& v = {}) {
   const MatL turning = cross_matrix(next) * MatL(I.asDiagonal());
   const MatL momentum = cross_matrix(times(I, next));
   return MatL(I.asDiagonal()) + v.gyroscopic * dt * (v.turning * turning - v.momentum * momentum);
 }
 
-SpinL implicit(const Vec3& moments, const Spin& spin, Real dt, const Variation& v = {}) {
+SpinL implicit(const Vec3& moments, const Spin& spin, Real dt, const ImplicitVariation& v = {}) {
   const VecL I = wide(moments);
   const SpinL old = wide(spin);
   VecL next = old.omega;
@@ -55,9 +55,9 @@ SpinL implicit(const Vec3& moments, const Spin& spin, Real dt, const Variation& 
   return {v.world_side ? turn * old.q : old.q * turn, next};
 }
 
-std::vector<tests::Suspect<tests::SpinValue>> suspects_of(const Vec3& moments, const Spin& spin,
-                                                          double dt) {
-  const auto with = [&](const Variation& v) {
+std::vector<tests::Suspect<tests::SpinValue>> implicit_suspects(const Vec3& moments,
+                                                                const Spin& spin, double dt) {
+  const auto with = [&](const ImplicitVariation& v) {
     return narrow(implicit(moments, spin, wide(dt), v));
   };
   return {
@@ -73,7 +73,7 @@ std::vector<tests::Suspect<tests::SpinValue>> suspects_of(const Vec3& moments, c
       {with({.old_velocity = true}), "the old angular velocity turns q, want the new one"}};
 }
 
-tests::SpinStep step_of(const Vec3& moments) {
+tests::SpinStep implicit_step(const Vec3& moments) {
   return [moments](const Spin& spin, double dt) { return step_implicit(moments, spin, dt); };
 }
 
@@ -129,7 +129,7 @@ TEST_CASE("The Jacobian is the derivative of the residual", "[2.3]") {
     const Vec3 moments = tests::random_moments(random);
     const Vec3 omega = random.vector(4.0);
     const double dt = random.uniform(0.01, 0.3);
-    const auto with = [&](const Variation& v) {
+    const auto with = [&](const ImplicitVariation& v) {
       return Mat3(jacobian(wide(moments), wide(omega), wide(dt), v).cast<double>());
     };
     equation_trial("2.3 implicit_jacobian", moments, omega, dt, i, 100)
@@ -151,14 +151,14 @@ TEST_CASE("An implicit step is one Newton step and a turn by the new velocity", 
     const Spin spin = tests::random_spin(random, 4.0);
     const double dt = random.uniform(-0.1, 0.1);
     const double condition = moments.maxCoeff() / moments.minCoeff();
-    tests::spin_trial(function, moments, spin, i, 100)
+    tests::spin_trial(implicit_function, moments, spin, i, 100)
         .given("dt", dt)
         .expect(tests::value_of(step_implicit(moments, spin, dt)),
                 narrow(implicit(moments, spin, wide(dt))),
                 {256.0 * eps * condition,
                  "some 100 operations and a 3 x 3 system of condition "
                  "about that of the moments"},
-                suspects_of(moments, spin, dt));
+                implicit_suspects(moments, spin, dt));
   }
 }
 
@@ -167,14 +167,14 @@ TEST_CASE("An implicit step is the same at any pace", "[2.3]") {
   for (int i = 1; i <= 100; ++i) {
     const Vec3 moments = tests::random_moments(random);
     const tests::Paced paced = tests::random_pace(random, 0.3);
-    tests::expect_paced(tests::spin_trial(function, moments, paced.spin, i, 100), paced,
+    tests::expect_paced(tests::spin_trial(implicit_function, moments, paced.spin, i, 100), paced,
                         step_implicit(moments, paced.spin, paced.dt),
                         implicit(moments, paced.spin, wide(paced.dt)));
   }
 }
 
 TEST_CASE("A body of equal moments does not tumble in the implicit step", "[2.3]") {
-  tests::expect_no_tumble_of_a_sphere(function, step_of(Vec3::Constant(2.0)));
+  tests::expect_no_tumble_of_a_sphere(implicit_function, implicit_step(Vec3::Constant(2.0)));
 }
 
 TEST_CASE("An implicit step makes the wobble shrink by the root of one plus y squared", "[2.3]") {
@@ -182,8 +182,8 @@ TEST_CASE("An implicit step makes the wobble shrink by the root of one plus y sq
   for (const int axis : {2, 0}) {
     const tests::Wobble wobble{.axis = axis};
     const double y = wobble.precession() * 0.1;
-    const double got = tests::growth_factor(wobble, step_of(wobble.moments), 0.1, 100);
-    tests::spin_trial(function, wobble.moments, wobble.start(1e-5), ++index, 2)
+    const double got = tests::growth_factor(wobble, implicit_step(wobble.moments), 0.1, 100);
+    tests::spin_trial(implicit_function, wobble.moments, wobble.start(1e-5), ++index, 2)
         .given("dt", 0.1)
         .of("the wobble's growth a step")
         .expect(got, 1.0 / std::sqrt(1.0 + y * y),
@@ -203,7 +203,7 @@ TEST_CASE("An implicit wobble is a tenth when the formula says", "[2.3]") {
     }
     return wobble.amplitude(spin) / wobble.amplitude(wobble.start(1e-5));
   };
-  const Trial trial = tests::spin_trial(function, wobble.moments, wobble.start(1e-5))
+  const Trial trial = tests::spin_trial(implicit_function, wobble.moments, wobble.start(1e-5))
                           .given("steps to a tenth", steps);
   trial.expect_small("0.1 - the wobble after 0.9 of these steps", 0.1 - after(0.9),
                      {0.0, "10^-0.9 by the closed form: more than a tenth is left"});
@@ -222,7 +222,7 @@ TEST_CASE("In ten minutes the implicit step eats a fifth of the angular momentum
   const Vec3 m = moments.cwiseProduct(spin.angular_velocity_body);
   const double left = m.norm() / moments.cwiseProduct(start.angular_velocity_body).norm();
   const double energy = spin.angular_velocity_body.dot(m);  // twice
-  const Trial trial = tests::spin_trial(function, moments, start).given("steps", 36000.0);
+  const Trial trial = tests::spin_trial(implicit_function, moments, start).given("steps", 36000.0);
   trial.of("the share of |L| that is left")
       .expect(left, 0.788, {1e-3, "measured with other code, to three digits"},
               {{1.0, "nothing is lost: this is not the implicit step"}});
@@ -231,5 +231,5 @@ TEST_CASE("In ten minutes the implicit step eats a fifth of the angular momentum
 }
 
 TEST_CASE("The implicit step converges with order one on a tumble", "[2.3]") {
-  tests::expect_order(function, step_of(tests::tumble_moments), 1024, 1.0);
+  tests::expect_order(implicit_function, implicit_step(tests::tumble_moments), 1024, 1.0);
 }

@@ -14,7 +14,7 @@ using tests::wide;
 
 namespace {
 
-constexpr const char* function = "2.8 step_moser_veselov";
+constexpr const char* moser_veselov_function = "2.8 step_moser_veselov";
 
 SpinL stepped(const Vec3& moments, const Spin& spin, const Quat& p, bool forwards = false,
               const Vec3& divided_by = Vec3::Zero(), bool world_side = false) {
@@ -68,7 +68,7 @@ TEST_CASE("A step turns the attitude by the increment and the momentum back", "[
     const Quat p = exact_increment(tilde, momentum, dt);
     const Quat plain = exact_increment(moments, momentum, dt);
     const Quat mixed = exact_increment(tilde, tilde.cwiseProduct(spin.angular_velocity_body), dt);
-    tests::spin_trial(function, moments, spin, i, 100)
+    tests::spin_trial(moser_veselov_function, moments, spin, i, 100)
         .given("correction.scale", correction.scale)
         .given("correction.shift", correction.shift)
         .given("dt", dt)
@@ -93,8 +93,8 @@ TEST_CASE("A step of Moser and Veselov is the same at any pace", "[2.8]") {
     const Vec3 moments = tests::random_moments(random);
     const tests::Paced paced = tests::random_pace(random, 0.2);
     const Vec3 momentum = moments.cwiseProduct(paced.spin.angular_velocity_body);
-    tests::expect_paced(tests::spin_trial(function, moments, paced.spin, i, 60), paced,
-                        step_moser_veselov(moments, {}, paced.spin, paced.dt),
+    tests::expect_paced(tests::spin_trial(moser_veselov_function, moments, paced.spin, i, 60),
+                        paced, step_moser_veselov(moments, {}, paced.spin, paced.dt),
                         stepped(moments, paced.spin, exact_increment(moments, momentum, paced.dt)));
   }
 }
@@ -113,7 +113,8 @@ TEST_CASE("Energy and angular momentum are kept to rounding at any step that exi
     const auto momentum = [&](const Spin& s) {
       return Vec3(s.world_from_body * moments.cwiseProduct(s.angular_velocity_body));
     };
-    const Trial trial = tests::spin_trial(function, moments, start, i, 10).given("dt", dt);
+    const Trial trial =
+        tests::spin_trial(moser_veselov_function, moments, start, i, 10).given("dt", dt);
     const double rounding = 1000.0 * 64.0 * eps * moments.maxCoeff() / moments.minCoeff();
     trial.of("the energy after 1000 steps, relatively")
         .expect(energy(spin) / energy(start), 1.0, {rounding, "64 ulp a step, all the same way"});
@@ -129,13 +130,13 @@ TEST_CASE("Energy and angular momentum are kept to rounding at any step that exi
 }
 
 TEST_CASE("Uncorrected the step converges with order two on a tumble", "[2.8]") {
-  tests::expect_order(function, step_of(tests::tumble_moments, 2), 128, 2.0);
+  tests::expect_order(moser_veselov_function, step_of(tests::tumble_moments, 2), 128, 2.0);
 }
 
 TEST_CASE("With the first correction the step converges with order four on a tumble", "[2.8]") {
-  tests::expect_order(function, step_of(tests::tumble_moments, 4), 64, 4.0);
+  tests::expect_order(moser_veselov_function, step_of(tests::tumble_moments, 4), 64, 4.0);
 }
 
 TEST_CASE("With four corrections the step converges with order ten on a tumble", "[2.8]") {
-  tests::expect_order(function, step_of(tests::tumble_moments, 10), 12, 10.0);
+  tests::expect_order(moser_veselov_function, step_of(tests::tumble_moments, 10), 12, 10.0);
 }

@@ -15,9 +15,9 @@ using tests::wide;
 
 namespace {
 
-constexpr const char* function = "2.4 step_rk4";
+constexpr const char* rk4_function = "2.4 step_rk4";
 
-struct Variation {
+struct Rk4Variation {
   Real gyroscopic = 1;           ///< times the gyroscopic term
   Real half = 0.5L;              ///< in dq/dt
   bool world_side = false;       ///< ω q for q ω
@@ -33,7 +33,7 @@ struct RateL {
   VecL omega;
 };
 
-RateL rate(const VecL& I, const SpinL& spin, const Variation& v) {
+RateL rate(const VecL& I, const SpinL& spin, const Rk4Variation& v) {
   const QuatL product =
       v.world_side ? tests::pure(spin.omega) * spin.q : spin.q * tests::pure(spin.omega);
   return {QuatL(Eigen::Matrix<Real, 4, 1>(v.half * product.coeffs())),
@@ -46,7 +46,7 @@ SpinL moved(const SpinL& spin, const RateL& k, Real dt, bool unit) {
   return next;
 }
 
-SpinL rk4(const Vec3& moments, const Spin& spin, Real dt, const Variation& v = {}) {
+SpinL rk4(const Vec3& moments, const Spin& spin, Real dt, const Rk4Variation& v = {}) {
   const VecL I = wide(moments);
   const SpinL s1 = wide(spin);
   const RateL k1 = rate(I, s1, v);
@@ -67,9 +67,9 @@ SpinL rk4(const Vec3& moments, const Spin& spin, Real dt, const Variation& v = {
   return next;
 }
 
-std::vector<tests::Suspect<tests::SpinValue>> suspects_of(const Vec3& moments, const Spin& spin,
-                                                          double dt) {
-  const auto with = [&](const Variation& v) { return narrow(rk4(moments, spin, wide(dt), v)); };
+std::vector<tests::Suspect<tests::SpinValue>> rk4_suspects(const Vec3& moments, const Spin& spin,
+                                                           double dt) {
+  const auto with = [&](const Rk4Variation& v) { return narrow(rk4(moments, spin, wide(dt), v)); };
   return {{with({.gyroscopic = -1}), tests::flipped},
           {with({.gyroscopic = 0}), tests::forgotten},
           {with({.half = 1}), "the factor 1/2 is missing in dq/dt"},
@@ -82,7 +82,7 @@ std::vector<tests::Suspect<tests::SpinValue>> suspects_of(const Vec3& moments, c
            "q turns once by the mean of omega: the trap, of second order in the attitude"}};
 }
 
-tests::SpinStep step_of(const Vec3& moments) {
+tests::SpinStep rk4_step(const Vec3& moments) {
   return [moments](const Spin& spin, double dt) { return step_rk4(moments, spin, dt); };
 }
 
@@ -95,7 +95,7 @@ double amplification(double y) {
 void expect_rate(const Trial& trial, const Vec3& moments, const Spin& spin) {
   const SpinRate got = spin_rate(moments, spin);
   const VecL I = wide(moments);
-  const auto attitude = [&](const Variation& v) { return narrow(rate(I, wide(spin), v).q); };
+  const auto attitude = [&](const Rk4Variation& v) { return narrow(rate(I, wide(spin), v).q); };
   const auto spinning = [&](Real sign) {
     return narrow(rate(I, wide(spin), {.gyroscopic = sign}).omega);
   };
@@ -148,11 +148,11 @@ TEST_CASE("A Runge-Kutta step mixes four rates with weights one two two one", "[
     const Vec3 moments = tests::random_moments(random);
     const Spin spin = tests::random_spin(random, 4.0);
     const double dt = random.uniform(-0.2, 0.2);
-    tests::spin_trial(function, moments, spin, i, 100)
+    tests::spin_trial(rk4_function, moments, spin, i, 100)
         .given("dt", dt)
         .expect(tests::value_of(step_rk4(moments, spin, dt)), narrow(rk4(moments, spin, wide(dt))),
                 {1024.0 * eps, "some 150 operations, and rates up to ten times the state"},
-                suspects_of(moments, spin, dt));
+                rk4_suspects(moments, spin, dt));
   }
 }
 
@@ -161,14 +161,14 @@ TEST_CASE("A Runge-Kutta step is the same at any pace", "[2.4]") {
   for (int i = 1; i <= 100; ++i) {
     const Vec3 moments = tests::random_moments(random);
     const tests::Paced paced = tests::random_pace(random, 1.0);
-    tests::expect_paced(tests::spin_trial(function, moments, paced.spin, i, 100), paced,
+    tests::expect_paced(tests::spin_trial(rk4_function, moments, paced.spin, i, 100), paced,
                         step_rk4(moments, paced.spin, paced.dt),
                         rk4(moments, paced.spin, wide(paced.dt)));
   }
 }
 
 TEST_CASE("A body of equal moments does not tumble in a Runge-Kutta step", "[2.4]") {
-  tests::expect_no_tumble_of_a_sphere(function, step_of(Vec3::Constant(2.0)));
+  tests::expect_no_tumble_of_a_sphere(rk4_function, rk4_step(Vec3::Constant(2.0)));
 }
 
 TEST_CASE("A Runge-Kutta step amplifies the wobble as its stability polynomial says", "[2.4]") {
@@ -177,8 +177,8 @@ TEST_CASE("A Runge-Kutta step amplifies the wobble as its stability polynomial s
     for (const double y : {0.1, 1.0, 2.0, 2.7, 3.0}) {
       const tests::Wobble wobble{.axis = axis};
       const double dt = y / wobble.precession();
-      const double got = tests::growth_factor(wobble, step_of(wobble.moments), dt, 4);
-      tests::spin_trial(function, wobble.moments, wobble.start(1e-5), ++index, 10)
+      const double got = tests::growth_factor(wobble, rk4_step(wobble.moments), dt, 4);
+      tests::spin_trial(rk4_function, wobble.moments, wobble.start(1e-5), ++index, 10)
           .given("y", y)
           .of("the wobble's growth a step")
           .expect(got, amplification(y),
@@ -192,17 +192,18 @@ TEST_CASE("Runge-Kutta holds the wobble below two root two and loses it above", 
   for (const int axis : {2, 0}) {
     const tests::Wobble wobble{.axis = axis};
     const double limit = 2.0 * std::sqrt(2.0) / wobble.precession();
-    const Trial trial = tests::spin_trial(function, wobble.moments, wobble.start(1e-5), ++index, 2)
-                            .given("dt at the limit", limit);
+    const Trial trial =
+        tests::spin_trial(rk4_function, wobble.moments, wobble.start(1e-5), ++index, 2)
+            .given("dt at the limit", limit);
     trial.expect_small("growth at 0.9 of the limit",
-                       tests::growth(wobble, step_of(wobble.moments), 0.9 * limit, 1000),
+                       tests::growth(wobble, rk4_step(wobble.moments), 0.9 * limit, 1000),
                        {1.01, "|R(i y)| < 1 for y < 2 sqrt2: it can only shrink"});
     trial.expect_small("100 - growth at 1.1 of the limit",
-                       100.0 - tests::growth(wobble, step_of(wobble.moments), 1.1 * limit, 1000),
+                       100.0 - tests::growth(wobble, rk4_step(wobble.moments), 1.1 * limit, 1000),
                        {0.0, "|R(i y)| = 1.6 a step at y = 3.1"});
   }
 }
 
 TEST_CASE("The Runge-Kutta step converges with order four on a tumble", "[2.4]") {
-  tests::expect_order(function, step_of(tests::tumble_moments), 128, 4.0);
+  tests::expect_order(rk4_function, rk4_step(tests::tumble_moments), 128, 4.0);
 }

@@ -14,9 +14,9 @@ using tests::wide;
 
 namespace {
 
-constexpr const char* function = "2.5 step_splitting";
+constexpr const char* splitting_function = "2.5 step_splitting";
 
-struct Variation {
+struct SplittingVariation {
   bool trigonometric = false;      ///< the exact turn by ω_i dt
   Real half = 0.5L;                ///< of ω_i dt
   bool world_side = false;         ///< p on the left of q
@@ -26,7 +26,8 @@ struct Variation {
   Real share = 0.5L;  ///< of dt for all but the middle one
 };
 
-SpinL about_axis(const VecL& I, const SpinL& spin, int axis, Real dt, const Variation& v = {}) {
+SpinL about_axis(const VecL& I, const SpinL& spin, int axis, Real dt,
+                 const SplittingVariation& v = {}) {
   const Real angle = spin.omega(axis) * dt;
   VecL e = VecL::Zero();
   e(axis) = 1;
@@ -38,7 +39,7 @@ SpinL about_axis(const VecL& I, const SpinL& spin, int axis, Real dt, const Vari
   return {v.world_side ? p * spin.q : spin.q * p, v.omega_turned ? m : m.cwiseQuotient(I)};
 }
 
-SpinL splitting(const Vec3& moments, const Spin& spin, Real dt, const Variation& v = {}) {
+SpinL splitting(const Vec3& moments, const Spin& spin, Real dt, const SplittingVariation& v = {}) {
   SpinL now = wide(spin);
   const std::size_t middle = v.axes.size() / 2;
   for (std::size_t i = 0; i < v.axes.size(); ++i) {
@@ -48,7 +49,7 @@ SpinL splitting(const Vec3& moments, const Spin& spin, Real dt, const Variation&
 }
 
 struct Story {
-  Variation variation;
+  SplittingVariation variation;
   const char* text;
 };
 
@@ -62,8 +63,8 @@ std::vector<Story> turn_stories() {
       {{.omega_turned = true}, "omega is turned instead of m = I0 omega"}};
 }
 
-std::vector<tests::Suspect<tests::SpinValue>> suspects_of(const Vec3& moments, const Spin& spin,
-                                                          double dt) {
+std::vector<tests::Suspect<tests::SpinValue>> splitting_suspects(const Vec3& moments,
+                                                                 const Spin& spin, double dt) {
   std::vector<Story> stories = turn_stories();
   stories.push_back({{.axes = {2, 1, 0, 1, 2}}, "the order is 3-2-1-2-3, want 1-2-3-2-1"});
   stories.push_back({{.axes = {0, 2, 1, 2, 0}}, "the order is 1-3-2-3-1, want 1-2-3-2-1"});
@@ -77,7 +78,7 @@ std::vector<tests::Suspect<tests::SpinValue>> suspects_of(const Vec3& moments, c
   return suspects;
 }
 
-tests::SpinStep step_of(const Vec3& moments) {
+tests::SpinStep splitting_step(const Vec3& moments) {
   return [moments](const Spin& spin, double dt) { return step_splitting(moments, spin, dt); };
 }
 
@@ -145,12 +146,12 @@ TEST_CASE("The splitting takes the axes in the order one two three two one", "[2
     const Vec3 moments = tests::random_moments(random);
     const Spin spin = tests::random_spin(random, 4.0);
     const double dt = random.uniform(-0.2, 0.2);
-    tests::spin_trial(function, moments, spin, i, 100)
+    tests::spin_trial(splitting_function, moments, spin, i, 100)
         .given("dt", dt)
         .expect(tests::value_of(step_splitting(moments, spin, dt)),
                 narrow(splitting(moments, spin, wide(dt))),
                 {2048.0 * eps, "five times some 50 operations, moments a factor 12 apart at most"},
-                suspects_of(moments, spin, dt));
+                splitting_suspects(moments, spin, dt));
   }
 }
 
@@ -164,7 +165,7 @@ TEST_CASE("The splitting keeps the angular momentum as a world vector to roundin
     };
     Spin spin = start;
     for (int k = 0; k < 1000; ++k) spin = step_splitting(moments, spin, 0.1);
-    tests::spin_trial(function, moments, start, i, 10)
+    tests::spin_trial(splitting_function, moments, start, i, 10)
         .of("L after 1000 steps of 0.1 s")
         .expect(momentum(spin), momentum(start),
                 {1000.0 * 32.0 * eps * momentum(start).norm(), "32 ulp a step, all the same way"});
@@ -190,7 +191,7 @@ TEST_CASE("A splitting step is the same at any pace", "[2.5]") {
   for (int i = 1; i <= 100; ++i) {
     const Vec3 moments = tests::random_moments(random);
     const tests::Paced paced = tests::random_pace(random, 1.0);
-    tests::expect_paced(tests::spin_trial(function, moments, paced.spin, i, 100), paced,
+    tests::expect_paced(tests::spin_trial(splitting_function, moments, paced.spin, i, 100), paced,
                         step_splitting(moments, paced.spin, paced.dt),
                         splitting(moments, paced.spin, wide(paced.dt)));
   }
@@ -202,7 +203,8 @@ TEST_CASE("A step back undoes a splitting step", "[2.5]") {
     const Vec3 moments = tests::random_moments(random);
     const Spin start = tests::random_spin(random, 4.0);
     const Spin there = step_splitting(moments, start, 0.2);
-    const Trial trial = tests::spin_trial(function, moments, start, i, 20).given("dt", 0.2);
+    const Trial trial =
+        tests::spin_trial(splitting_function, moments, start, i, 20).given("dt", 0.2);
     trial.expect(
         tests::value_of(step_splitting(moments, there, -0.2)), tests::value_of(start),
         {4096.0 * eps, "two steps' rounding; the order 1-2-3-2-1 reads the same backwards"},
@@ -218,17 +220,19 @@ TEST_CASE("The splitting holds a wobble up to the limit of its trace", "[2.5]") 
   for (const int axis : {2, 0}) {
     const tests::Wobble wobble{.axis = axis};
     const double limit = first_limit(wobble);  // omega is 1, so x is dt
-    const Trial trial = tests::spin_trial(function, wobble.moments, wobble.start(1e-5), ++index, 2)
-                            .given("x at the limit", limit);
+    const Trial trial =
+        tests::spin_trial(splitting_function, wobble.moments, wobble.start(1e-5), ++index, 2)
+            .given("x at the limit", limit);
     trial.expect_small("growth at 0.9 of the limit",
-                       tests::growth(wobble, step_of(wobble.moments), 0.9 * limit, 10000),
+                       tests::growth(wobble, splitting_step(wobble.moments), 0.9 * limit, 10000),
                        {10.0, "|trace| < 2: the wobble runs on an ellipse"});
-    trial.expect_small("100 - growth at 1.1 of the limit",
-                       100.0 - tests::growth(wobble, step_of(wobble.moments), 1.1 * limit, 10000),
-                       {0.0, "|trace| > 2: one direction of the wobble grows with every step"});
+    trial.expect_small(
+        "100 - growth at 1.1 of the limit",
+        100.0 - tests::growth(wobble, splitting_step(wobble.moments), 1.1 * limit, 10000),
+        {0.0, "|trace| > 2: one direction of the wobble grows with every step"});
   }
 }
 
 TEST_CASE("The splitting converges with order two on a tumble", "[2.5]") {
-  tests::expect_order(function, step_of(tests::tumble_moments), 256, 2.0);
+  tests::expect_order(splitting_function, splitting_step(tests::tumble_moments), 256, 2.0);
 }

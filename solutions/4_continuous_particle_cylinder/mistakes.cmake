@@ -1,0 +1,272 @@
+# The bank of mistakes: each is a misconception that students have, as a small edit of the reference.
+# add_mutant(<lab> <mistake> <step> <find> <replace> <words its message must hold>)
+set(lab continuous_particle_cylinder)
+
+# ---- 4.1 ----
+
+# The particle is taken for a point.
+add_mutant(${lab} textbook_without_particle_radius 4.1
+  "const double rho = R + r;" "const double rho = R + 0.0 * r;" "particle's radius is forgotten")
+
+# The distance is taken from a point, where it is from an axis.
+add_mutant(${lab} textbook_keeps_x 4.1
+  "const double b = 2.0 * (y * v_y + z * v_z);
+  const double c = y * y + z * z - rho * rho;"
+  "const Vec3& x = particle.position;
+  const Vec3& v = particle.velocity;
+  const double b = 2.0 * x.dot(v);
+  const double c = x.dot(x) - rho * rho;
+  if (c > 0.0) {
+    const double u = (-b - std::sqrt(b * b - 4.0 * v.dot(v) * c)) / (2.0 * v.dot(v));
+    return u >= 0.0 && u <= dt ? std::optional(u) : std::nullopt;
+  }"
+  "x is kept in the distance")
+
+# Of two roots the one with the plus is taken, as it is written first.
+add_mutant(${lab} textbook_later_root 4.1 "(-b - std::sqrt(" "(-b + std::sqrt(" "later root")
+
+# Nobody asks whether the impact is still to come.
+add_mutant(${lab} textbook_in_the_past 4.1
+  "if (t >= 0.0 && t <= dt) return t;" "if (t <= dt) return t;" "in the past")
+
+# Nobody asks whether the step lasts that long.
+add_mutant(${lab} textbook_beyond_dt 4.1
+  "if (t >= 0.0 && t <= dt) return t;" "if (t >= 0.0) return t;" "dt is ignored")
+
+# The step is taken to end just before dt.
+add_mutant(${lab} textbook_without_arrival_at_dt 4.1
+  "t >= 0.0 && t <= dt" "t >= 0.0 && t < dt" "arrival at dt")
+
+# What is neither too early nor too late is believed to be a time: NaN is neither.
+add_mutant(${lab} textbook_nan_at_rest 4.1
+  "if (t >= 0.0 && t <= dt) return t;" "if (!(t < 0.0 || t > dt)) return t;" "")
+
+# b is remembered from the other form of the formula, with b/2.
+add_mutant(${lab} textbook_half_of_b 4.1 "const double b = 2.0 * (" "const double b = (" "b lacks")
+
+# The start is not looked at, since the roots are believed to say it all.
+add_mutant(${lab} textbook_start_inside_missed 4.1
+  "if (c <= 0.0) return 0.0;" "if (c <= 0.0) return std::nullopt;" "start inside is missed")
+
+# The better method is handed in where the textbook's was asked for.
+add_mutant(${lab} textbook_too_good 4.1
+  "if (c <= 0.0) return 0.0;" "if (c <= dt + infinity) return time_of_impact(particle, cylinder, dt);"
+  "not the textbook's formula")
+
+# ---- 4.2 ----
+
+# One fused operation is believed to make both products exact.
+add_mutant(${lab} difference_not_corrected 4.2
+  "return std::fma(a, b, -cd) + rest;" "return std::fma(a, b, -cd) + 0.0 * rest;" "not put back")
+
+# The sign of what was rounded away is guessed.
+add_mutant(${lab} difference_corrected_backwards 4.2
+  "std::fma(-c, d, cd)" "std::fma(c, d, -cd)" "wrong sign")
+
+# A difference of products is a difference of products.
+add_mutant(${lab} difference_of_rounded_products 4.2
+  "return std::fma(a, b, -cd) + rest;" "return a * b - cd + 0.0 * rest;"
+  "rounded before they cancel")
+
+# Only the root is believed to cancel, so the textbook's discriminant is kept.
+add_mutant(${lab} cross_form_of_rounded_squares 4.2
+  "(w_touching - w) * (w_touching + w)" "b * b - a * c" "discriminant cancels")
+
+# The particle is taken for a point.
+add_mutant(${lab} cross_form_without_particle_radius 4.2
+  "const DoubleDouble rho = common::two_sum(R, r);" "const DoubleDouble rho = R;"
+  "particle's radius is forgotten")
+
+# Of two roots the one is taken that has no cancellation as it stands.
+add_mutant(${lab} cross_form_later_root 4.2
+  "c / (std::sqrt(std::max(discriminant, 0.0)) - b)"
+  "(std::sqrt(std::max(discriminant, 0.0)) - b) / a" "later root")
+
+# Nobody asks whether the particle approaches.
+add_mutant(${lab} cross_form_in_the_past 4.2
+  "if (b >= 0.0 || w > lean * w_touching)" "if (w > lean * w_touching)" "in the past")
+
+# Nobody asks whether the step lasts that long.
+add_mutant(${lab} cross_form_beyond_dt 4.2
+  "const double y_end = std::fma(dt, v_y, y);"
+  "dt = infinity;
+  const double y_end = std::fma(dt, v_y, y);" "dt is ignored")
+
+# The velocity is made unit, and what comes out is taken for a time.
+add_mutant(${lab} cross_form_way_for_time 4.2
+  "return std::min(t, dt);" "return std::min(t, dt) * std::sqrt(a);" "scaled by the speed")
+
+# A particle that is inside cannot come in any more, it is thought.
+add_mutant(${lab} cross_form_start_inside_missed 4.2
+  "if (c <= 8.0 * eps * eps * rho_squared) return 0.0;"
+  "if (c <= 8.0 * eps * eps * rho_squared) return std::nullopt;" "start inside is missed")
+
+# A particle on the surface that leaves it is believed to be outside.
+add_mutant(${lab} cross_form_start_touching_missed 4.2
+  "if (c <= 8.0 * eps * eps * rho_squared)" "if (c < -8.0 * eps * eps * rho_squared)"
+  "touching at the start")
+
+# One point in common is believed to be none.
+add_mutant(${lab} cross_form_tangent_missed 4.2
+  "w > lean * w_touching" "w >= w_touching" "touching in passing")
+
+# The computed root is compared with dt as if it were exact.
+add_mutant(${lab} cross_form_root_against_dt 4.2
+  "return std::min(t, dt);" "return t <= dt ? std::optional(t) : std::nullopt;" "")
+
+# ---- 4.3 ----
+
+# A sum of two doubles is believed to be one.
+add_mutant(${lab} certified_rounded_radius 4.3
+  "cylinder.radius, particle.radius};" "cylinder.radius + particle.radius, 0.0};" "R + r is rounded")
+
+# More digits are believed to be enough, without a bound of their error.
+add_mutant(${lab} certified_without_bound 4.3
+  "return a.value.high < -2.0 * a.error;" "return a.value.high < 0.0;" "")
+
+# The rounded root decides whether it is past dt.
+add_mutant(${lab} certified_rounded_arrival 4.3
+  "t < (1.0 - 2.0 * eps) * dt" "t <= dt" "")
+
+# Zero is taken to be outside.
+add_mutant(${lab} certified_start_touching_missed 4.3
+  "if (c.sign() <= 0) return 0.0;" "if (c.sign() < 0) return 0.0;" "touching at the start")
+
+# A double root is taken for none.
+add_mutant(${lab} certified_tangent_missed 4.3
+  "discriminant.sign() < 0" "discriminant.sign() <= 0" "touching in passing")
+
+# The step is taken to end just before dt.
+add_mutant(${lab} certified_without_arrival_at_dt 4.3
+  "(c + end * (b + half_slope)).sign() <= 0" "(c + end * (b + half_slope)).sign() < 0"
+  "arrival at dt")
+
+# The gap is a length, the step a time.
+add_mutant(${lab} advancement_by_lengths 4.3
+  "t + gap / speed" "t + gap" "not divided by the speed")
+
+# The speed of a particle is that of all its coordinates.
+add_mutant(${lab} advancement_by_spatial_speed 4.3
+  "const double speed = std::hypot(v_y, v_z);"
+  "const double speed = particle.velocity.norm();" "all three axes")
+
+# Only what touches is believed to be an impact, though no step ever gets there.
+add_mutant(${lab} advancement_never_there 4.3
+  "advancement.time = t;" "if (gap <= 0.0) advancement.time = t;" "within the tolerance is taken")
+
+# The step is made before the gap is looked at.
+add_mutant(${lab} advancement_one_too_far 4.3
+  "advancement.time = t;" "advancement.time = next;" "steps once more")
+
+# Steps are counted instead of evaluations.
+add_mutant(${lab} advancement_counts_steps 4.3
+  "    ++advancement.iterations;" "    if (t > 0.0) ++advancement.iterations;" "is not counted")
+
+# ---- 4.4 ----
+
+# The normal is taken to point at what it is the normal of.
+add_mutant(${lab} contact_normal_reversed 4.4
+  "contact.normal = Vec3(0.0," "contact.normal = -Vec3(0.0," "normal is reversed")
+
+# The contact is built where the particle is now, not where it will be.
+add_mutant(${lab} contact_at_start 4.4
+  "particle.position + time * particle.velocity" "particle.position + 0.0 * particle.velocity"
+  "not moved to")
+
+# The particle is taken for its centre.
+add_mutant(${lab} contact_at_center 4.4
+  "x - particle.radius * contact.normal" "x - 0.0 * contact.normal" "particle's centre")
+
+# Where the particle's centre is at the impact is taken for the surface.
+add_mutant(${lab} contact_beyond_surface 4.4
+  "cylinder.radius * contact.normal" "(cylinder.radius + particle.radius) * contact.normal"
+  "ends at R")
+
+# The normal is taken from a point, where it is from an axis.
+add_mutant(${lab} contact_normal_keeps_x 4.4
+  "Vec3(0.0, x.y() / size, x.z() / size)" "Vec3(x.x() / size, x.y() / size, x.z() / size)"
+  "x is kept in the normal")
+
+# The gap is taken to the particle's centre.
+add_mutant(${lab} contact_gap_without_particle_radius 4.4
+  "std::hypot(x.y(), x.z()) - (cylinder.radius + particle.radius)"
+  "std::hypot(x.y(), x.z()) - cylinder.radius" "particle's radius is forgotten")
+
+# The axis is believed never to be met.
+add_mutant(${lab} contact_nan_on_axis 4.4 "if (size > 0.0) contact.normal" "contact.normal" "")
+
+# ---- 4.5 ----
+
+# The loop ends one too early.
+add_mutant(${lab} batch_last_missed 4.5
+  "for (std::size_t i = 0; i < p.size; ++i) {
+    times[i]"
+  "for (std::size_t i = 0; i + 1 < p.size; ++i) {
+    times[i]" "last particle")
+
+# No impact is told by a number that a time cannot be.
+add_mutant(${lab} batch_minus_one_for_none 4.5
+  "  return times;"
+  "  for (double& time : times) time = time < infinity ? time : -1.0;
+  return times;" "infinity does")
+
+# No impact is told by no number.
+add_mutant(${lab} batch_nan_for_none 4.5
+  "  return times;"
+  "  for (double& time : times) time = time < infinity ? time : not_sure;
+  return times;" "")
+
+# Only the first of the blocks is looked at.
+add_mutant(${lab} batch_checks_first_block 4.5
+  "    require_finite(particles_here);" "    if (i == 0) require_finite(particles_here);"
+  "arguments are not checked")
+
+# Arrays are believed to be as long as the first.
+add_mutant(${lab} batch_lengths_not_compared 4.5
+  "z.size() != y.size() || v_y.size() != y.size() || v_z.size() != y.size()"
+  "z.size() != y.size()" "lengths of the four arrays")
+
+# ---- 4.6 ----
+
+# A cloth's particles are believed to stand for its edges.
+add_mutant(${lab} edge_by_its_ends 4.6
+  "return inside ? inside : end;" "return inside && end ? end : end;" "ends alone")
+
+# An edge is believed to be as long as its line.
+add_mutant(${lab} edge_as_its_line 4.6
+  "return p_d < 0 && q_d > 0 ? 1 : p_d * q_d > 0 ? -1 : 0;" "return p_d * q_d > 2 ? -1 : 1;"
+  "line is taken for the edge")
+
+# The edge is taken for a thread without thickness.
+add_mutant(${lab} edge_without_radius 4.6
+  "Number(query.cylinder.radius) + Number(edge.radius);" "Number(query.cylinder.radius);"
+  "edge's radius is forgotten")
+
+# The edge keeps its length and its direction, as if it were a rod that is carried along.
+add_mutant(${lab} edge_with_one_velocity 4.6
+  "difference(edge.velocity_b, edge.velocity_a)" "difference(edge.velocity_a, edge.velocity_a)"
+  "velocity of a")
+
+# The search goes to the right first.
+add_mutant(${lab} edge_last_touch 4.6
+  "if (const auto time = first_touch(left)) return time;"
+  "if (const auto time = first_touch(right)) return time;
+    return first_touch(left);" "later root")
+
+# The quartic is believed to tell of every touch, but it has no root where one is there already.
+add_mutant(${lab} edge_start_missed 4.6
+  "if (!off && touches_at_start_exactly(query)) return 0.0;" "" "inside touches is missed")
+
+# What rounding cannot decide is taken for a miss.
+add_mutant(${lab} edge_touch_missed 4.6
+  "if (touches.count(from, to) == 0)" "if (touches.count(from, to) <= 1)"
+  "touch is not counted")
+
+# The bracket is as wide as can be told by eye.
+add_mutant(${lab} edge_time_not_refined 4.6
+  "constexpr double time_accuracy = 0x1p-50;" "constexpr double time_accuracy = 0x1p-30;" "")
+
+# The check of the arguments is left to the ends, of which one is looked at.
+add_mutant(${lab} edge_checks_one_end 4.6
+  "  require_valid(end_b, cylinder, dt);
+" "" "arguments are not checked")

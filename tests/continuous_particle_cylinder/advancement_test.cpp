@@ -1,0 +1,227 @@
+#include <numbers>
+
+#include "bad_input.hpp"
+#include "catch.hpp"
+
+using namespace lab::continuous_particle_cylinder;
+using tests::Digits100;
+using tests::eps;
+using tests::infinity;
+using tests::Query;
+using tests::Time;
+
+namespace {
+
+const std::string advancement_step = "4.3 conservative_advancement";
+
+tests::Trial trial(const Query& query, double tolerance, int index = 1, int count = 1) {
+  return tests::trial(advancement_step, query, index, count).given("tolerance", tolerance);
+}
+
+Advancement advanced(const Query& query, double tolerance) {
+  return conservative_advancement(query.particle, query.cylinder, query.dt, tolerance);
+}
+
+double speed_of(const Query& query) {
+  return std::hypot(query.particle.velocity.y(), query.particle.velocity.z());
+}
+
+/// The sequence of the contract in 100 digits.
+struct Sequence {
+  Time time;
+  double after = 0.0;  ///< one step on from there [s]
+  int evaluations = 0;
+  double closest = infinity;  ///< of all decisions: from φ to the tolerance, from t to dt [m]
+};
+
+Sequence sequence(const Query& query, double tolerance, double speed) {
+  const Vec3& x = query.particle.position;
+  const Vec3& v = query.particle.velocity;
+  const Digits100 rho = Digits100(query.cylinder.radius) + query.particle.radius;
+  Sequence result;
+  for (Digits100 t = 0; result.evaluations < 20000;) {
+    const Digits100 y = x.y() + t * v.y();
+    const Digits100 z = x.z() + t * v.z();
+    const Digits100 gap = sqrt(y * y + z * z) - rho;
+    const auto to_tolerance = static_cast<double>(Digits100(gap - tolerance));
+    ++result.evaluations;
+    result.closest = std::min(result.closest, std::abs(to_tolerance));
+    if (to_tolerance <= 0.0) result.time.seconds = static_cast<double>(t);
+    if (to_tolerance > 0.0 && speed == 0.0) return result;
+    t += gap / speed;
+    result.after = static_cast<double>(t);
+    if (to_tolerance <= 0.0) return result;
+    result.closest = std::min(result.closest, std::abs(result.after - query.dt) * speed);
+    if (result.after > query.dt) return result;
+  }
+  return result;
+}
+
+/// Requires the time and the count of the contract's own sequence, where rounding decides neither.
+void expect_sequence(const Query& query, double tolerance, int index = 1, int count = 1) {
+  const double speed = speed_of(query);
+  const Sequence wanted = sequence(query, tolerance, speed);
+  // An advance never drives two places apart, since φ falls no faster than the way grows: the
+  // roundings of each evaluation just add up.
+  const Vec3& x = query.particle.position;
+  const double way = 8.0 * eps * wanted.evaluations * (std::hypot(x.y(), x.z()) + 2.0 * rho(query));
+  const Advancement got = advanced(query, tolerance);
+  if (wanted.closest < 2.0 * way) {
+    trial(query, tolerance).expect_small("|0 t|", 0.0 * got.time.value_or(0.0), {0.0, "finite"});
+    return;
+  }
+  Query bare = query;
+  bare.particle.radius = 0.0;
+  const Sequence undivided = sequence(query, tolerance, 1.0);
+  const Sequence spatial = sequence(query, tolerance, query.particle.velocity.norm());
+  const Sequence without_r = sequence(bare, tolerance, speed);
+  const std::string slow = "the speed is that of all three axes: in the yz-plane it is less";
+  const std::string wrong_step = "phi is not divided by the speed: t grows by a length";
+  const std::string forgotten = "the particle's radius is forgotten: R where R + r belongs";
+  tests::TimeSuspects suspects{
+      {undivided.time, wrong_step}, {spatial.time, slow}, {without_r.time, forgotten}};
+  if (wanted.time.seconds) {
+    suspects.push_back({{}, "a gap within the tolerance is taken for no impact"});
+    suspects.push_back({{wanted.after}, "it steps once more after the gap is within tolerance"});
+  }
+  const auto here = trial(query, tolerance, index, count);
+  here.expect(Time{got.time}, wanted.time,
+              {speed > 0.0 ? way / speed : 0.0, "8 eps of the lengths for each evaluation"},
+              suspects);
+  const auto number = [](const Sequence& other) { return static_cast<double>(other.evaluations); };
+  here.of("iterations")
+      .expect(static_cast<double>(got.iterations), number(wanted),
+              {0.0, "one for each evaluation of the gap, the first and the last too"},
+              {{number(undivided), wrong_step},
+               {number(spatial), slow},
+               {number(without_r), forgotten},
+               {number(wanted) - 1.0, "the last evaluation, or the first, is not counted"}});
+}
+
+/// Never late, and early only by what the tolerance takes: between the impacts with a cylinder that
+/// is wider by the tolerance and with the true one.
+void expect_between(const Query& query, double tolerance, int index, int count) {
+  Query wide = query;
+  wide.cylinder.radius += tolerance;
+  const Time earliest = tests::time_of(wide);
+  const Time latest = tests::time_of(query);
+  const Time got{advanced(query, tolerance).time};
+  const auto here = trial(query, tolerance, index, count);
+  if (!earliest.seconds || latest.seconds) here.expect(got, latest, {infinity, "hit or miss"});
+  if (!got.seconds) return;
+  const double speed = speed_of(query);
+  const double rounding =
+      speed > 0.0 ? 1e-12 * (tests::rho(query) + speed * query.dt) / speed : 0.0;
+  here.expect_small("early", *earliest.seconds - *got.seconds,
+                    {rounding, "not before the gap is within the tolerance"});
+  if (latest.seconds) {
+    here.expect_small("late", *got.seconds - *latest.seconds, {rounding, "it is never late"});
+  }
+}
+
+}  // namespace
+
+TEST_CASE("Head on one step arrives", "[4.3]") {
+  const Query query = tests::query({0, 10, 0}, {0, -2, 0}, 10.0);
+  expect_sequence(query, 1e-6);
+  const Advancement got = advanced(query, 1e-6);
+  trial(query, 1e-6).expect(Time{got.time}, Time{2.5}, {8.0 * eps, "5/2"});
+  trial(query, 1e-6).expect(static_cast<double>(got.iterations), 2.0, {0.0, "before and after"});
+}
+
+TEST_CASE("Advancement follows its sequence step by step", "[4.3]") {
+  const auto cases = tests::hand_cases();
+  int index = 0;
+  for (const auto& [query, time] : cases) {
+    expect_sequence(query, 1e-6, ++index, static_cast<int>(cases.size()));
+  }
+  tests::Random random(4321);
+  for (int i = 1; i <= 150; ++i) {
+    const double distance = random.uniform(1.1, 5.0);
+    Query query = tests::aimed(
+        random, {distance, random.uniform(-1.1, 1.1), tests::power_of_ten(random, -1.0, 1.0)});
+    query.dt *= random.uniform(0.2, 1.0);
+    expect_sequence(query, tests::power_of_ten(random, -9.0, -2.0), i, 150);
+  }
+}
+
+TEST_CASE("Advancement is never late and early by no more than its tolerance takes", "[4.3]") {
+  tests::Random random(4322);
+  for (int i = 1; i <= 200; ++i) {
+    const double distance = random.uniform(1.1, 5.0);
+    const Query query = tests::aimed(
+        random, {distance, random.uniform(-1.05, 1.05), tests::power_of_ten(random, -3.0, 3.0)});
+    expect_between(query, tests::power_of_ten(random, -8.0, -2.0), i, 200);
+  }
+}
+
+// A gap φ above a plane that is met at the angle θ to its normal: the way φ brings it φ cos θ down.
+// The cylinder's curve changes the ratio 1 − cos θ by some 13 φ/ρ of itself for the flattest
+// of these angles, which all in all, below φ = 1e-4 ρ, is less than one advance.
+TEST_CASE("At an angle of incidence the gap shrinks by 1 - cos an iteration", "[4.3]") {
+  for (const double degrees : {30.0, 45.0, 60.0, 75.0, 85.0}) {
+    const double angle = degrees * std::numbers::pi / 180.0;
+    const double ratio = 1.0 - std::cos(angle);
+    const double more = std::floor(std::log(1e-6) / std::log(ratio));
+    const double coarse = 1e-4;
+    const double fine = coarse * std::pow(ratio, more);
+    const Query query = tests::query({0, 3, std::sin(angle)}, {0, -1, 0}, 10.0, 0.75, 0.25);
+    const Advancement first = advanced(query, coarse);
+    const Advancement second = advanced(query, fine);
+    trial(query, fine)
+        .expect(Time{second.time}, tests::time_of(query),
+                {1.01 * fine / std::cos(angle), "what the tolerance takes"});
+    trial(query, fine)
+        .expect_small("iterations between tolerances 1e-4 and this, less ln(ratio)/ln(1 - cos)",
+                      std::abs(second.iterations - first.iterations - more),
+                      {1.0, "the gap falls by 1 - cos an iteration; where it began may cost one"});
+  }
+}
+
+// With s the way left to the point of tangency and ρ = 1, φ = √(1 + s²) − 1, and u = 1/s grows by
+// 1/(√(1 + s²) + 1 − s) an advance: by 1/2 or more, and, from s = 1 on, by 1/2 + 1/(k + 2) or less
+// at advance k. It ends at s = √(2 tolerance), about, where u = N/2 with N = √(2/tolerance).
+TEST_CASE("At tangency the iterations grow as the root of 2 rho over the tolerance", "[4.3]") {
+  for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8}) {
+    const Query query = tests::query({0, 1, 1}, {0, -1, 0}, 10.0, 0.75, 0.25);
+    const Advancement got = advanced(query, tolerance);
+    const double N = std::sqrt(2.0 / tolerance);
+    trial(query, tolerance)
+        .expect(Time{got.time}, Time{1.0},
+                {1.01 * std::sqrt(2.0 * tolerance), "the gap is s^2/2, so s is left"});
+    trial(query, tolerance)
+        .expect_small("|iterations/sqrt(2 rho/tolerance) - 1|", std::abs(got.iterations / N - 1.0),
+                      {(3.0 + 2.0 * std::log(N)) / N, "1/s grows by 1/2 to 1/2 + 1/(k + 2)"});
+  }
+}
+
+TEST_CASE("A pass within the tolerance is a hit and one beyond it is none", "[4.3]") {
+  for (const double tolerance : {1e-3, 1e-6, 1e-8}) {
+    for (const double share : {0.9, 1.1}) {
+      const Query query =
+          tests::query({0, 2, 1.0 + share * tolerance}, {0, -0.5, 0}, 10.0, 0.75, 0.25);
+      // √((1 + tolerance)² − (1 + 0.9 tolerance)²) before the closest, or less.
+      const Time wanted{share < 1.0 ? std::optional<double>(4.0) : std::nullopt};
+      trial(query, tolerance)
+          .expect(Time{advanced(query, tolerance).time}, wanted,
+                  {2.0 * std::sqrt(0.21 * tolerance), "within the tolerance until the closest"});
+    }
+  }
+}
+
+TEST_CASE("Within the tolerance at the start it takes one evaluation", "[4.3]") {
+  const Query query = tests::query({3, 3, 4.0005}, {1, 3, 4}, 1.0);
+  for (const double tolerance : {1e-3, 0.5}) expect_sequence(query, tolerance);
+}
+
+TEST_CASE("Advancement refuses bad arguments", "[4.3]") {
+  tests::expect_bad_queries_throw(advancement_step,
+                                  [](const Query& query) { return advanced(query, 1e-6).time; });
+  const Query query = tests::query({0, 10, 20}, {0, -1, 0}, 1.0);
+  for (const double tolerance : {0.0, -1e-6, infinity, std::numeric_limits<double>::quiet_NaN()}) {
+    trial(query, tolerance)
+        .expect_throw([&] { return Time{advanced(query, tolerance).time}; },
+                      "the tolerance is not a finite number above zero",
+                      "the arguments are not checked: each must throw std::invalid_argument");
+  }
+}

@@ -1,0 +1,181 @@
+#include "bad_input.hpp"
+#include "catch.hpp"
+
+using namespace lab::continuous_particle_cylinder;
+using tests::infinity;
+using tests::Query;
+using tests::Time;
+
+namespace {
+
+const std::string batch_step = "4.5 times_of_impact";
+
+/// Queries that share a particle radius, a cylinder and dt.
+struct Batch {
+  MovingParticles particles;
+  Cylinder cylinder;
+  double dt = 1.0;
+};
+
+void add(MovingParticles& particles, const Vec3& position, const Vec3& velocity) {
+  particles.y.push_back(position.y());
+  particles.z.push_back(position.z());
+  particles.velocity_y.push_back(velocity.y());
+  particles.velocity_z.push_back(velocity.z());
+}
+
+Query query_of(const Batch& batch, std::size_t i) {
+  const MovingParticles& p = batch.particles;
+  return {{{0.0, p.y[i], p.z[i]}, {0.0, p.velocity_y[i], p.velocity_z[i]}, p.radius},
+          batch.cylinder,
+          batch.dt};
+}
+
+/// In an answer that is right otherwise, a particle at the end of which the time is wrong.
+constexpr const char* last_missed = "the last particle is left out";
+
+Time batch_time(double time) { return time == infinity ? Time{} : Time{time}; }
+
+void expect_batch(const Batch& batch) {
+  const std::size_t size = batch.particles.y.size();
+  const std::vector<double> got = times_of_impact(batch.particles, batch.cylinder, batch.dt);
+  tests::Trial(batch_step)
+      .given("number of particles", static_cast<double>(size))
+      .expect(static_cast<double>(got.size()), static_cast<double>(size),
+              {0.0, "one time for each particle"});
+  for (std::size_t i = 0; i < size; ++i) {
+    const Query query = query_of(batch, i);
+    const auto trial =
+        tests::trial(batch_step, query, static_cast<int>(i + 1), static_cast<int>(size));
+    auto suspects = tests::suspects_of(query);
+    suspects.push_back({{-1.0}, "-1 stands for no impact: infinity does"});
+    if (i > 0 && i + 1 == size) suspects = {{batch_time(got[i]), last_missed}};
+    tests::expect_exact(trial, batch_time(got[i]), query, 1.0, suspects);
+  }
+}
+
+Batch random_batch(tests::Random& random, std::size_t size) {
+  Batch batch;
+  batch.particles.radius = random.uniform(0.01, 1.0);
+  batch.cylinder.radius = random.uniform(0.2, 2.0);
+  batch.dt = random.uniform(0.5, 2.0);
+  for (std::size_t i = 0; i < size; ++i) {
+    const Vec3 position = random.vector(4.0);
+    add(batch.particles, position, random.vector(5.0));
+  }
+  return batch;
+}
+
+/// All take the same way of whole numbers through a batch but for one, which is a tie.
+Batch with_tie(const tests::Tie& tie, std::size_t size, std::size_t place) {
+  Batch batch;
+  batch.particles.radius = tie.query.particle.radius;
+  batch.cylinder = tie.query.cylinder;
+  batch.dt = tie.query.dt;
+  for (std::size_t i = 0; i < size; ++i) {
+    if (i == place) {
+      add(batch.particles, tie.query.particle.position, tie.query.particle.velocity);
+    } else {
+      add(batch.particles, {0, 10, 3}, {0, -7, 0.5});
+    }
+  }
+  return batch;
+}
+
+}  // namespace
+
+TEST_CASE("A batch of whole numbers", "[4.5]") {
+  Batch batch;
+  batch.particles.radius = 1.0;
+  batch.cylinder.radius = 4.0;
+  batch.dt = 10.0;
+  for (const auto& [query, time] : tests::hand_cases()) {
+    if (query.dt == 10.0) add(batch.particles, query.particle.position, query.particle.velocity);
+  }
+  expect_batch(batch);
+}
+
+TEST_CASE("A batch of any size holds every time to one ulp", "[4.5]") {
+  tests::Random random(451);
+  for (const std::size_t size : {7U, 8U, 9U, 63U, 64U, 65U, 1U, 0U, 1000U}) {
+    Batch batch = random_batch(random, size);
+    if (size > 0) {  // the last one hits, so that it shows where it is left out
+      const double start = 2.0 * (batch.particles.radius + batch.cylinder.radius);
+      batch.particles.y.back() = start;
+      batch.particles.z.back() = 0.0;
+      batch.particles.velocity_y.back() = -start / batch.dt;
+      batch.particles.velocity_z.back() = 0.1 * start / batch.dt;
+    }
+    expect_batch(batch);
+  }
+}
+
+TEST_CASE("Ties in the middle of a batch are decided as alone", "[4.5]") {
+  for (const tests::Tie& tie : tests::ties()) {
+    for (const std::size_t place : {0U, 5U, 8U, 12U}) expect_batch(with_tie(tie, 19, place));
+  }
+}
+
+TEST_CASE("A batch of touching and grazing paths is right to one ulp", "[4.5]") {
+  tests::Random random(452);
+  for (int k = 0; k < 20; ++k) {
+    Batch batch;
+    batch.particles.radius = 1.0;
+    batch.cylinder.radius = 4.0;
+    batch.dt = 3.0;
+    for (int i = 0; i < 50; ++i) {
+      const Query lattice = tests::lattice_query(random);
+      add(batch.particles, lattice.particle.position, lattice.particle.velocity);
+      const double course = random.uniform(0.0, 6.2);
+      const Vec3 along(0.0, std::cos(course), std::sin(course));
+      const Vec3 across(0.0, -along.z(), along.y());
+      const double offset = tests::nudged(random, 5.0, 3);
+      const double back = random.uniform(0.0, 9.0);
+      add(batch.particles, offset * across - back * along, 3.0 * along);
+    }
+    expect_batch(batch);
+  }
+}
+
+TEST_CASE("A batch refuses bad arguments wherever they stand", "[4.5]") {
+  const std::string likely = "the arguments are not checked: each must throw std::invalid_argument";
+  for (const auto& [why, query] : tests::bad_queries()) {
+    const bool along_x = !std::isfinite(query.particle.position.x() + query.particle.velocity.x());
+    if (along_x) continue;  // x is not in it
+    for (const std::size_t place : {0U, 150U, 299U}) {
+      Batch batch = with_tie(tests::ties()[0], 300, 300);
+      batch.particles.radius = query.particle.radius;
+      batch.cylinder = query.cylinder;
+      batch.dt = query.dt;
+      batch.particles.y[place] = query.particle.position.y();
+      batch.particles.z[place] = query.particle.position.z();
+      batch.particles.velocity_y[place] = query.particle.velocity.y();
+      batch.particles.velocity_z[place] = query.particle.velocity.z();
+      tests::trial(batch_step, query, static_cast<int>(place + 1), 300)
+          .expect_throw(
+              [&] {
+                return Time{times_of_impact(batch.particles, batch.cylinder, batch.dt)[place]};
+              },
+              why, likely);
+    }
+  }
+}
+
+TEST_CASE("A batch refuses arrays of different lengths", "[4.5]") {
+  const Batch whole = with_tie(tests::ties()[0], 9, 9);
+  for (int array = 0; array < 4; ++array) {
+    for (const int change : {-1, 1}) {
+      Batch batch = whole;
+      MovingParticles& p = batch.particles;
+      std::vector<double>* const arrays[] = {&p.y, &p.z, &p.velocity_y, &p.velocity_z};
+      arrays[array]->resize(static_cast<std::size_t>(9 + change), 1.0);
+      tests::Trial(batch_step)
+          .given("array", static_cast<double>(array))
+          .given("its length", 9.0 + change)
+          .given("length of the others", 9.0)
+          .expect_throw([&] { return Time{times_of_impact(p, batch.cylinder, batch.dt).at(0)}; },
+                        "the arrays differ in length",
+                        "the lengths of the four arrays are not compared");
+    }
+  }
+}

@@ -1,0 +1,187 @@
+#include "bad_input.hpp"
+#include "catch.hpp"
+
+using namespace lab::continuous_particle_cylinder;
+using tests::Digits100;
+using tests::eps;
+using tests::Query;
+using tests::Trial;
+
+namespace {
+
+const std::string contact_step = "4.4 contact_at";
+
+Trial contact_trial(const Query& query, double time, int index = 1, int count = 1) {
+  return Trial(contact_step, index, count)
+      .given("particle.position", query.particle.position)
+      .given("particle.velocity", query.particle.velocity)
+      .given("particle.radius", query.particle.radius)
+      .given("cylinder.radius", query.cylinder.radius)
+      .given("time", time);
+}
+
+/// The contact of a ball of radius r at a place, in 100 digits.
+ParticleContact exact_contact(const Query& query, double time) {
+  const auto at = [&](int i) {
+    return Digits100(query.particle.position[i]) + Digits100(time) * query.particle.velocity[i];
+  };
+  const Digits100 distance = sqrt(at(1) * at(1) + at(2) * at(2));
+  const Digits100 ny = distance == 0 ? Digits100(1) : Digits100(at(1) / distance);
+  const Digits100 nz = distance == 0 ? Digits100(0) : Digits100(at(2) / distance);
+  const double R = query.cylinder.radius;
+  const double r = query.particle.radius;
+  const auto vector = [](const Digits100& x, const Digits100& y, const Digits100& z) {
+    return Vec3(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z));
+  };
+  ParticleContact contact;
+  contact.normal = vector(0, ny, nz);
+  contact.point_on_cylinder = vector(at(0), R * ny, R * nz);
+  contact.point_on_particle = vector(at(0), at(1) - r * ny, at(2) - r * nz);
+  contact.gap = static_cast<double>(Digits100(distance - R - r));
+  contact.time = time;
+  return contact;
+}
+
+using Suspects = std::vector<tests::Suspect<Vec3>>;
+
+void expect_contact(const Query& query, double time, int index, int count) {
+  const ParticleContact wanted = exact_contact(query, time);
+  const ParticleContact at_start = exact_contact(query, 0.0);
+  const Vec3& x = query.particle.position;
+  const Vec3& v = query.particle.velocity;
+  const double R = query.cylinder.radius;
+  const double r = query.particle.radius;
+  const Vec3 center = wanted.point_on_particle + r * wanted.normal;
+  const Vec3 radial(0.0, center.y(), center.z());
+  // t v and x + t v are rounded: half an eps of each, and a few more for what is made of them.
+  const double place = 4.0 * eps * (std::hypot(x.y(), x.z()) + time * std::hypot(v.y(), v.z()));
+  const double along = 2.0 * eps * (std::abs(x.x()) + time * std::abs(v.x()));
+  const double distance = radial.norm();
+  const double turn = std::min(2.0, (distance > 0.0 ? place / distance : 0.0) + 8.0 * eps);
+  const std::string start = "the contact is that of the start: the particle is not moved to `time`";
+  const std::string reversed =
+      "the normal is reversed: it points from the cylinder to the particle";
+  const std::string middle = "that is the particle's centre: the point is r from it, to the axis";
+  const std::string spatial = "x is kept in the normal: it stands in the yz-plane";
+  const ParticleContact got = contact_at(query.particle, query.cylinder, time);
+
+  const Trial here = contact_trial(query, time, index, count);
+  here.of("the normal")
+      .expect(got.normal, wanted.normal, {turn, "the rounding of x + t v over its distance"},
+              Suspects{{-wanted.normal, reversed},
+                       {at_start.normal, start},
+                       {center.norm() > 0.0 ? Vec3(center.normalized()) : center, spatial}});
+  here.of("the point on the cylinder")
+      .expect(got.point_on_cylinder, wanted.point_on_cylinder,
+              {R * turn + along, "R times the normal's"},
+              Suspects{{at_start.point_on_cylinder, start},
+                       {Vec3(center - 2.0 * radial + (distance - R) * wanted.normal), reversed},
+                       {Vec3(center - radial + (R + r) * wanted.normal),
+                        "that is R + r from the axis: the cylinder ends at R"},
+                       {Vec3(R * wanted.normal), "x is lost: the point is beside the particle"}});
+  here.of("the point on the particle")
+      .expect(got.point_on_particle, wanted.point_on_particle,
+              {place + r * turn + along, "the rounding of x + t v, and r times the normal's"},
+              Suspects{{at_start.point_on_particle, start},
+                       {center, middle},
+                       {Vec3(center + r * wanted.normal),
+                        "that is the far side of the particle: its nearest point is to the axis"}});
+  here.of("the gap").expect(
+      got.gap, wanted.gap, {place + 4.0 * eps * (R + r), "the rounding of x + t v and of R + r"},
+      {{at_start.gap, start},
+       {wanted.gap + r, "the particle's radius is forgotten: R where R + r belongs"},
+       {-wanted.gap, "the gap has the wrong sign: it is above zero apart"}});
+  here.of("the time")
+      .expect(got.time, time, {0.0, "it is passed on"},
+              {{0.0, "the time of the contact is not set"}});
+}
+
+}  // namespace
+
+TEST_CASE("A contact on a 3-4-5 triangle has whole numbers", "[4.4]") {
+  const Query query = tests::query({1, 10, 3}, {2, -2, 0}, 10.0);
+  const ParticleContact got = contact_at(query.particle, query.cylinder, 3.0);
+  const Trial here = contact_trial(query, 3.0);
+  here.of("the normal").expect(got.normal, Vec3(0, 0.8, 0.6), {4.0 * eps, "4/5 and 3/5"});
+  here.of("the point on the cylinder")
+      .expect(got.point_on_cylinder, Vec3(7, 3.2, 2.4), {16.0 * eps, "4/5 of the centre"});
+  here.of("the point on the particle")
+      .expect(got.point_on_particle, Vec3(7, 3.2, 2.4), {16.0 * eps, "they touch"});
+  here.of("the gap").expect(got.gap, 0.0, {8.0 * eps, "5 - (4 + 1)"});
+  expect_contact(query, 3.0, 1, 3);
+  expect_contact(query, 1.0, 2, 3);  // before: apart
+  expect_contact(query, 4.0, 3, 3);  // after: inside
+}
+
+TEST_CASE("A contact agrees with a hundred digits wherever the particle is", "[4.4]") {
+  tests::Random random(441);
+  for (int i = 1; i <= 200; ++i) {
+    const Query query = tests::generic_query(random);
+    expect_contact(query, random.uniform(0.0, query.dt), i, 200);
+  }
+}
+
+TEST_CASE("At the time of impact the normal is unit and the point on the surface", "[4.4]") {
+  tests::Random random(442);
+  for (int i = 1; i <= 200; ++i) {
+    const double distance = tests::power_of_ten(random, 0.1, 6.0);
+    Query query = tests::aimed(random, {distance, random.uniform(-0.9, 0.9), 1.0});
+    query.particle.position.x() = random.uniform(-1e8, 1e8);
+    const double time = tests::nudged(random, *tests::time_of(query).seconds, 4);
+    const ParticleContact got = contact_at(query.particle, query.cylinder, time);
+    const double R = query.cylinder.radius;
+    const Trial here = contact_trial(query, time, i, 200);
+    here.expect_small("||n| - 1|", std::abs(got.normal.norm() - 1.0), {4.0 * eps, "unit"});
+    here.expect_small("|n.x|", std::abs(got.normal.x()), {0.0, "it stands in the yz-plane"},
+                      "x is kept in the normal: it stands in the yz-plane");
+    const Vec3& p = got.point_on_cylinder;
+    here.expect_small("distance of the point from the surface",
+                      std::abs(std::hypot(p.y(), p.z()) - R),
+                      {4.0 * eps * R, "R times a unit vector, however far x is"});
+    expect_contact(query, time, i, 200);
+  }
+}
+
+TEST_CASE("On the axis the normal is plus y", "[4.4]") {
+  expect_contact(tests::query({7, 0, 0}, {0, 0, 0}, 1.0), 0.5, 1, 4);
+  expect_contact(tests::query({7, 2, 0}, {3, -1, 0}, 1.0), 2.0, 2, 4);
+  expect_contact(tests::query({7, 1, -2}, {3, -0.5, 1}, 1.0), 2.0, 3, 4);
+  expect_contact(tests::query({7, -0.0, -0.0}, {0, -0.0, -0.0}, 1.0), 0.5, 4, 4);
+}
+
+TEST_CASE("Next to the axis and at every scale the normal is unit", "[4.4]") {
+  // Squares under- and overflow here.
+  tests::Random random(443);
+  for (int i = 1; i <= 100; ++i) {
+    Query query = tests::generic_query(random);
+    query.particle.velocity.setZero();
+    const double size = tests::power_of_ten(random, -290.0, 290.0);
+    query.particle.position *= size;
+    if (i % 2 == 0) query.particle.radius *= size;
+    if (i % 2 == 0) query.cylinder.radius *= size;
+    const ParticleContact got = contact_at(query.particle, query.cylinder, 0.0);
+    contact_trial(query, 0.0, i, 100)
+        .of("the normal")
+        .expect(got.normal, exact_contact(query, 0.0).normal, {8.0 * eps, "a quotient by a hypot"});
+  }
+}
+
+TEST_CASE("A contact refuses bad arguments", "[4.4]") {
+  for (const auto& [why, query] : tests::bad_queries()) {
+    if (query.dt == 1.0) {
+      contact_trial(query, 1.0)
+          .expect_throw(
+              [&, &query = query] {
+                return contact_at(query.particle, query.cylinder, 1.0).normal;
+              },
+              why, "the arguments are not checked: each must throw std::invalid_argument");
+    }
+  }
+  const Query query = tests::query({0, 10, 20}, {0, -1, 0}, 1.0);
+  for (const double time : {tests::infinity, std::numeric_limits<double>::quiet_NaN()}) {
+    contact_trial(query, time)
+        .expect_throw([&] { return contact_at(query.particle, query.cylinder, time).normal; },
+                      "the time is not finite",
+                      "the arguments are not checked: each must throw std::invalid_argument");
+  }
+}

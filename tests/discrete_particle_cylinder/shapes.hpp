@@ -1,0 +1,154 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "discrete_particle_cylinder.hpp"
+#include "judgement.hpp"
+
+/// Edges and triangles against the cylinder, and the mistakes that their gaps may show.
+namespace tests {
+
+namespace story {
+inline const std::string ends_only =
+    "only the ends and corners are looked at: what is between them may be nearer";
+inline const std::string line =
+    "the foot is not held on the edge: beyond the ends nothing is left of the line";
+inline const std::string middle = "the middle is taken for the nearest point";
+inline const std::string edges_only =
+    "only the edges are looked at: the axis may go through between them";
+inline const std::string passes_through =
+    "the axis is said to go through and does not: areas of the size of rounding have no sign";
+}  // namespace story
+
+/// An edge or a triangle, which is as thick as its particles, and the cylinder.
+template <std::size_t corners>
+struct Shape {
+  std::array<Vec3, corners> p;
+  double particle_radius = 0.5;
+  Cylinder cylinder = {};
+
+  [[nodiscard]] double radii() const { return rounded(rho(particle_radius, cylinder)); }
+  /// What rounding is relative to.
+  [[nodiscard]] double size() const {
+    Exact farthest = 0;
+    for (const Vec3& corner : p) farthest = std::max(farthest, distance(corner));
+    return rounded(farthest + rho(particle_radius, cylinder));
+  }
+  [[nodiscard]] double gap_of(const Exact& distance) const {
+    return rounded(distance - rho(particle_radius, cylinder));
+  }
+};
+using Edge = Shape<2>;
+using Triangle = Shape<3>;
+
+/// Some 20 roundings on terms of this size.
+inline Bound on_shape(double size) {
+  return {16.0 * eps * size, "some 20 roundings on lengths of this size"};
+}
+
+template <std::size_t corners>
+Trial shape_trial(const char* function, const Shape<corners>& shape, int index, int count) {
+  Trial trial = radii_trial(function, shape.particle_radius, shape.cylinder, index, count);
+  for (std::size_t i = 0; i < corners; ++i) {
+    trial.given(std::string(1, "abc"[i]), shape.p[i]);
+  }
+  return trial;
+}
+
+/// The distance from the world's origin instead of the axis.
+inline double distance_in_space(const Vec3& a, const Vec3& b) {
+  const Vec3 edge = b - a;
+  const double share = std::clamp(-a.dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+  return (a + share * edge).norm();
+}
+
+inline std::vector<Suspect<double>> suspects_of_edge(const Edge& e) {
+  const auto& [a, b] = e.p;
+  const Exact least = edge_distance(a, b);
+  const auto foot = foot_on_line(a, b);
+  return {{e.gap_of(std::min(distance(a), distance(b))), story::ends_only},
+          {e.gap_of(foot ? distance_at(a, b, *foot) : least), story::line},
+          {e.gap_of(distance_at(a, b, Exact(0.5))), story::middle},
+          {rounded(least - e.cylinder.radius), story::no_r},
+          {rounded(least), story::no_radii},
+          {e.gap_of(distance_in_space(a, b)), story::keeps_x},
+          {rounded(rho(e.particle_radius, e.cylinder) - least), story::reversed_gap},
+          {-e.radii(), story::underflow}};
+}
+
+/// The gap, and the place where it is: any that is as near.
+inline void expect_edge(const Edge& e, int index = 1, int count = 1) {
+  const auto& [a, b] = e.p;
+  const auto got = lab::discrete_particle_cylinder::edge_gap(a, b, e.particle_radius, e.cylinder);
+  const Trial trial = shape_trial("3.5 edge_gap", e, index, count);
+  const double wanted = e.gap_of(edge_distance(a, b));
+  trial.of("the gap").expect(got.gap, wanted, on_shape(e.size()), suspects_of_edge(e));
+  trial.of("the fraction")
+      .expect(got.fraction, std::clamp(got.fraction, 0.0, 1.0), {0.0, "it is in [0, 1]"});
+  const Exact foot = foot_on_line(a, b).value_or(0);
+  trial.of("the gap at the fraction " + text(got.fraction))
+      .expect(e.gap_of(distance_at(a, b, Exact(got.fraction))), wanted, on_shape(e.size()),
+              {{e.gap_of(distance_at(a, b, 1 - foot)), "the fraction is counted from b"}});
+}
+
+inline std::vector<Suspect<double>> suspects_of_triangle(const Triangle& t) {
+  const auto& [a, b, c] = t.p;
+  const Exact least = triangle_distance(t.p);
+  const auto line = [](const Vec3& p, const Vec3& q) {
+    const auto foot = foot_on_line(p, q);
+    return foot ? distance_at(p, q, *foot) : distance(p);
+  };
+  const Exact lines = pierced(t.p) ? Exact(0) : std::min({line(a, b), line(b, c), line(c, a)});
+  const auto middle = [](const Vec3& p, const Vec3& q) { return distance_at(p, q, Exact(0.5)); };
+  return {{t.gap_of(edges_distance(t.p)), story::edges_only},
+          {t.gap_of(std::min({distance(a), distance(b), distance(c)})), story::ends_only},
+          {t.gap_of(distance_at(t.p, Vec3::Constant(1.0 / 3.0))), story::middle},
+          {t.gap_of(std::min({middle(a, b), middle(b, c), middle(c, a)})), story::middle},
+          {t.gap_of(lines), story::line},
+          {-t.radii(), story::passes_through},
+          {rounded(least - t.cylinder.radius), story::no_r},
+          {rounded(least), story::no_radii},
+          {rounded(rho(t.particle_radius, t.cylinder) - least), story::reversed_gap}};
+}
+
+/// How far off the weights may put the point, in parts of what rounding makes of the size: where
+/// the axis goes through they are areas over their sum, which in a sliver is small.
+inline double weights_condition(const Triangle& t) {
+  const std::array<Exact, 3> w = areas(t.p);
+  const Exact sum = abs(w[0]) + abs(w[1]) + abs(w[2]);
+  const Exact size = t.size();
+  if (sum == 0 || triangle_distance(t.p) > 16.0 * eps * size) return 1.0;
+  return rounded(1 + size * size / sum);
+}
+
+/// The gap, and the place where it is: any that is as near.
+inline void expect_triangle(const Triangle& t, int index = 1, int count = 1) {
+  const auto& [a, b, c] = t.p;
+  const auto got =
+      lab::discrete_particle_cylinder::triangle_gap(a, b, c, t.particle_radius, t.cylinder);
+  const Trial trial = shape_trial("3.5 triangle_gap", t, index, count);
+  const double wanted = t.gap_of(triangle_distance(t.p));
+  trial.of("the gap").expect(got.gap, wanted, on_shape(t.size()), suspects_of_triangle(t));
+  const Vec3& w = got.weights;
+  trial.of("the weights").expect(w, Vec3(w.cwiseMax(0.0)), {0.0, "no weight is below 0"});
+  trial.of("the sum of the weights " + text(w))
+      .expect(w.sum(), 1.0, {4.0 * eps, "three quotients and their sum"});
+  const auto gap_at = [&](const Vec3& weights) { return t.gap_of(distance_at(t.p, weights)); };
+  const std::string other = "the weights are those of other corners: b x c belongs to a";
+  std::vector<Suspect<double>> suspects;
+  if (pierced(t.p)) {
+    const std::array<Exact, 3> area = areas(t.p);
+    const Exact sum = area[0] + area[1] + area[2];
+    const Vec3 right(rounded(area[0] / sum), rounded(area[1] / sum), rounded(area[2] / sum));
+    suspects = {{gap_at(Vec3(right(1), right(2), right(0))), other},
+                {gap_at(Vec3(right(2), right(0), right(1))), other}};
+  }
+  trial.of("the gap at the weights " + text(w))
+      .expect(gap_at(w), wanted, on_shape(t.size() * weights_condition(t)), suspects);
+}
+
+inline Cylinder random_cylinder(Random& random) { return {random.uniform(0.2, 2.0)}; }
+
+}  // namespace tests

@@ -1,0 +1,210 @@
+#pragma once
+
+#include <Eigen/LU>
+
+#include "oracle.hpp"
+
+/// Impacts of two rigid bodies once more, in extended precision, with what students get wrong as
+/// switches.
+namespace tests {
+
+using lab::impulse_response::Contact;
+using lab::impulse_response::RigidBody;
+
+enum class BodyFlaw {
+  none,
+  no_angular_part,
+  only_b,
+  only_a,
+  angular_sign,
+  lever_of_origin,
+  velocity_of_centers,
+  acts_while_parting,
+  e_alone,
+  other_normal,
+  always_sticks,
+  always_slips,
+  along_slip,
+  no_friction,
+  mass_of_particles,
+  one_after_the_other,
+  keeps_normal_impulse
+};
+
+using BodyFlaws = std::vector<std::pair<BodyFlaw, std::string>>;
+
+/// Those of K, which stand in both lists.
+inline const BodyFlaws& mass_flaws() {
+  static const BodyFlaws all{
+      {BodyFlaw::no_angular_part, "the angular part of the effective mass is missing"},
+      {BodyFlaw::only_b, "a's part of the effective mass is missing: both bodies yield"},
+      {BodyFlaw::only_a, "b's part of the effective mass is missing: both bodies yield"},
+      {BodyFlaw::angular_sign, "the angular part of the effective mass has the wrong sign"},
+      {BodyFlaw::lever_of_origin,
+       "the lever arm starts at the world's origin: p where p - x belongs"}};
+  return all;
+}
+
+inline const BodyFlaws& contact_flaws() {
+  static const BodyFlaws all = [] {
+    BodyFlaws flaws = mass_flaws();
+    const BodyFlaws more{
+        {BodyFlaw::velocity_of_centers,
+         "the bodies meet with the velocity of the points, not of the centres of mass"},
+        {BodyFlaw::acts_while_parting, "the impulse of a contact that parts is not skipped"},
+        {BodyFlaw::e_alone, "e stands where 1 + e belongs"},
+        {BodyFlaw::other_normal, "the normal is taken the other way round: it is from a to b"},
+        {BodyFlaw::always_sticks, "it always sticks: the impulse may not leave the cone"},
+        {BodyFlaw::always_slips, "it always slips: stick is to be tried first"},
+        {BodyFlaw::along_slip, "friction is along the slip: it pushes on"},
+        {BodyFlaw::no_friction, "there is no friction"},
+        {BodyFlaw::mass_of_particles,
+         "friction stops the slip of two particles: bodies turn, so its mass is another"},
+        {BodyFlaw::one_after_the_other,
+         "normal and tangential part are solved one after the other: K couples them"},
+        {BodyFlaw::keeps_normal_impulse,
+         "on the cone the normal impulse is that of sticking: u_n is not -e times what it was"}};
+    flaws.insert(flaws.end(), more.begin(), more.end());
+    return flaws;
+  }();
+  return all;
+}
+
+inline MatL skew(const VecL& w) {
+  return MatL{{0, -w.z(), w.y()}, {w.z(), 0, -w.x()}, {-w.y(), w.x(), 0}};
+}
+
+inline VecL lever(const RigidBody& body, const common::Vec3& point) {
+  return wide(point) - wide(body.position);
+}
+
+inline MatL inverse_mass_at(const RigidBody& body, const common::Vec3& point, BodyFlaw flaw) {
+  const MatL r = skew(flaw == BodyFlaw::lever_of_origin ? wide(point) : lever(body, point));
+  const MatL turning = -(r * body.inverse_inertia.cast<Real>() * r);
+  const Real sign =
+      flaw == BodyFlaw::no_angular_part ? 0 : (flaw == BodyFlaw::angular_sign ? -1 : 1);
+  return wide(body.inverse_mass) * MatL::Identity() + sign * turning;
+}
+
+inline MatL mass_matrix(const RigidBody& a, const RigidBody& b, const common::Vec3& point,
+                        BodyFlaw flaw = BodyFlaw::none) {
+  MatL K = MatL::Zero();
+  if (flaw != BodyFlaw::only_b) K += inverse_mass_at(a, point, flaw);
+  if (flaw != BodyFlaw::only_a) K += inverse_mass_at(b, point, flaw);
+  return K;
+}
+
+inline VecL velocity_at(const RigidBody& body, const common::Vec3& point) {
+  return wide(body.velocity) + wide(body.angular_velocity).cross(lever(body, point));
+}
+
+inline VecL approach(const RigidBody& a, const RigidBody& b, const common::Vec3& point) {
+  return velocity_at(b, point) - velocity_at(a, point);
+}
+
+struct ContactInput {
+  RigidBody a;
+  RigidBody b;
+  Contact contact;
+  Material material;
+};
+
+/// The impulse, whether it sticks, and how much larger relative errors of the input are in it.
+struct ContactOutcome {
+  VecL impulse = VecL::Zero();
+  bool sticks = false;
+  Real amplification = 1;
+};
+
+inline VecL unit_or_zero(const VecL& v) {
+  return v.norm() == 0 ? VecL(VecL::Zero()) : VecL(v.normalized());
+}
+
+/// A mistaken friction law, given the right K.
+inline VecL mistaken_friction(const ContactInput& in, const MatL& K, const VecL& u, const VecL& n,
+                              BodyFlaw flaw) {
+  const VecL u_t = tangential(u, n);
+  const VecL t = unit_or_zero(u_t);
+  const Real j_n = -(1 + wide(in.material.restitution)) * n.dot(u) / n.dot(K * n);
+  const Real masses = wide(in.a.inverse_mass) + wide(in.b.inverse_mass);
+  const Real yields = flaw == BodyFlaw::mass_of_particles ? masses : t.dot(K * t);
+  return j_n * n + braked(u_t / std::max(yields, Real(1e-30L)), wide(in.material.friction) * j_n);
+}
+
+inline ContactOutcome contact_outcome(const ContactInput& in, BodyFlaw flaw = BodyFlaw::none) {
+  const MatL K = mass_matrix(in.a, in.b, in.contact.point, flaw);
+  VecL u = approach(in.a, in.b, in.contact.point);
+  if (flaw == BodyFlaw::velocity_of_centers) u = wide(in.b.velocity) - wide(in.a.velocity);
+  const VecL n = (flaw == BodyFlaw::other_normal ? -1 : 1) * wide(in.contact.normal);
+  const Real u_n = n.dot(u);
+  if (u_n >= 0 && flaw != BodyFlaw::acts_while_parting) return {};
+  if (flaw == BodyFlaw::mass_of_particles || flaw == BodyFlaw::one_after_the_other) {
+    return {mistaken_friction(in, K, u, n, flaw)};
+  }
+
+  const Real e = wide(in.material.restitution) - (flaw == BodyFlaw::e_alone ? 1 : 0);
+  const Real mu = flaw == BodyFlaw::no_friction ? 0 : wide(in.material.friction);
+  const MatL K_inverse = K.inverse();
+  const VecL wanted = -(1 + e) * u_n * n - tangential(u, n);
+  const VecL stick = K_inverse * wanted;
+  const VecL stick_t = tangential(stick, n);
+  const Real speed = wide(in.a.velocity.norm() + in.b.velocity.norm()) +
+                     wide(in.a.angular_velocity.norm()) * lever(in.a, in.contact.point).norm() +
+                     wide(in.b.angular_velocity.norm()) * lever(in.b, in.contact.point).norm();
+  const Real condition = K.norm() * K_inverse.norm() * (1 + speed / wanted.norm());
+  const bool in_cone = stick_t.norm() <= mu * n.dot(stick);
+  if (flaw == BodyFlaw::always_sticks || (in_cone && flaw != BodyFlaw::always_slips)) {
+    return {stick, true, condition};
+  }
+  const VecL edge = n + (flaw == BodyFlaw::along_slip ? -mu : mu) * unit_or_zero(stick_t);
+  const Real yields = n.dot(K * edge);
+  const Real j_n = flaw == BodyFlaw::keeps_normal_impulse ? n.dot(stick) : -(1 + e) * u_n / yields;
+  const Real direction = stick.norm() / std::max(stick_t.norm(), Real(1e-30L));
+  return {j_n * edge, false,
+          condition * (1 + direction) * (1 + K.norm() * edge.norm() / std::abs(yields))};
+}
+
+inline std::string text_of(const RigidBody& b) {
+  return "RigidBody{" + text(b.inverse_mass) + ", " + text(b.inverse_inertia) + ", " +
+         text(b.position) + ", " + text(b.velocity) + ", " + text(b.angular_velocity) + "}";
+}
+
+inline Trial contact_trial(const ContactInput& in, int index = 1, int count = 1) {
+  Trial trial("6.5 contact_impulse", index, count);
+  trial.given("a", Code{text_of(in.a)}).given("b", Code{text_of(in.b)});
+  trial.given("contact",
+              Code{"Contact{" + text(in.contact.point) + ", " + text(in.contact.normal) + "}"});
+  return given(trial, in.material);
+}
+
+inline RigidBody random_body(Random& random) {
+  RigidBody body;
+  body.inverse_mass = random.uniform(0.2, 2.0);
+  body.inverse_inertia = random.inertia();
+  body.position = random.vector(2.0);
+  body.velocity = random.vector(1.0);
+  body.angular_velocity = random.vector(1.0);
+  return body;
+}
+
+inline RigidBody ground() {
+  RigidBody body;
+  body.inverse_mass = 0.0;
+  body.inverse_inertia = Mat3::Zero();
+  return body;
+}
+
+/// Two bodies about a metre off the point where they meet; half of them approach, and in two of
+/// five one is immovable.
+inline ContactInput random_contact(Random& random, int index) {
+  ContactInput in{random_body(random), random_body(random), {}, {}};
+  in.contact = {random.vector(2.0), random.direction()};
+  in.a.position = in.contact.point - random.vector(1.0);
+  in.b.position = in.contact.point + random.vector(1.0);
+  in.material = {random.uniform(0.0, 1.0), random.uniform(0.05, 1.0)};
+  if (index % 5 == 0) in.a.inverse_mass = 0.0, in.a.inverse_inertia.setZero();
+  if (index % 5 == 1) in.b.inverse_mass = 0.0, in.b.inverse_inertia.setZero();
+  return in;
+}
+
+}  // namespace tests

@@ -1,0 +1,140 @@
+#include "bodies.hpp"
+#include "catch.hpp"
+
+using namespace lab::impulse_response;
+using tests::ContactInput;
+using tests::eps;
+
+namespace {
+
+void expect_impulse(const ContactInput& in, const Vec3& wanted, const tests::Bound& bound,
+                    int index = 1, int count = 1) {
+  std::vector<tests::Suspect<Vec3>> suspects;
+  for (const auto& [flaw, story] : tests::contact_flaws()) {
+    suspects.push_back({tests::narrow(tests::contact_outcome(in, flaw).impulse), story});
+  }
+  tests::contact_trial(in, index, count)
+      .expect(contact_impulse(in.a, in.b, in.contact, in.material), wanted, bound, suspects);
+}
+
+/// As the oracle has it.
+void expect_impulse(const ContactInput& in, int index, int count) {
+  const tests::ContactOutcome outcome = tests::contact_outcome(in);
+  const tests::Real size = outcome.impulse.norm() * outcome.amplification;
+  expect_impulse(in, tests::narrow(outcome.impulse),
+                 {128.0 * eps * static_cast<double>(size),
+                  "rounding, as much larger as K and the slip's direction make it"},
+                 index, count);
+}
+
+/// A point mass of 2 that comes down on the ground at 3 and along it at 5.
+ContactInput particle_on_ground(double restitution, double friction) {
+  ContactInput in{tests::ground(), {}, {Vec3::Zero(), Vec3::UnitZ()}, {restitution, friction}};
+  in.b.inverse_mass = 0.5;
+  in.b.velocity = Vec3(3.0, 4.0, -3.0);
+  return in;
+}
+
+bool sticks(const ContactInput& in) { return tests::contact_outcome(in).sticks; }
+
+}  // namespace
+
+TEST_CASE("A head-on impact of 1 and 3 is worked by hand", "[6.5]") {
+  // The reduced mass is 3/4 and they come together at 4: j = 1.5 · 3.
+  ContactInput in{{}, {}, {Vec3(0.0, 0.0, 1.0), Vec3::UnitX()}, {0.5, 0.9}};
+  in.b.inverse_mass = 1.0 / 3.0;
+  in.a.position = Vec3(-1.0, 0.0, 1.0);
+  in.b.position = Vec3(1.0, 0.0, 1.0);
+  in.a.velocity = Vec3(3.0, 0.0, 0.0);
+  in.b.velocity = Vec3(-1.0, 0.0, 0.0);
+  expect_impulse(in, Vec3(4.5, 0.0, 0.0), {64.0 * eps * 4.5, "a 3 x 3 system, all but diagonal"});
+}
+
+TEST_CASE("A point mass that slips gets what the cone allows", "[6.5]") {
+  // j_n = 1.5 · 2 · 3 = 9, and friction 0.5 · 9 along (3, 4)/5: less than 2 · 5.
+  expect_impulse(particle_on_ground(0.5, 0.5), Vec3(-2.7, -3.6, 9.0),
+                 {64.0 * eps * 9.0, "a 3 x 3 system"});
+}
+
+TEST_CASE("A point mass that slips little is stopped and not turned round", "[6.5]") {
+  expect_impulse(particle_on_ground(0.5, 2.0), Vec3(-6.0, -8.0, 9.0),
+                 {64.0 * eps * 14.0, "a 3 x 3 system"});
+}
+
+TEST_CASE("A ball that rolls in with the wrong spin is worked by hand", "[6.5]") {
+  // 1/m = 1/2, 1/I = 4, r = (0, 0, -1): K = diag(4.5, 4.5, 0.5). The point slips at 9.
+  ContactInput in = particle_on_ground(0.0, 1.0);
+  in.b.inverse_inertia = 4.0 * Mat3::Identity();
+  in.b.position = Vec3(0.0, 0.0, 1.0);
+  in.b.velocity = Vec3(4.0, 0.0, -3.0);
+  in.b.angular_velocity = Vec3(0.0, -5.0, 0.0);
+  expect_impulse(in, Vec3(-2.0, 0.0, 6.0), {64.0 * eps * 7.0, "a 3 x 3 system"}, 1, 2);
+  in.material.friction = 0.25;
+  expect_impulse(in, Vec3(-1.5, 0.0, 6.0), {64.0 * eps * 7.0, "a 3 x 3 system"}, 2, 2);
+}
+
+TEST_CASE("The impulse is that of any two bodies", "[6.5]") {
+  tests::Random random(681);
+  int parting = 0;
+  int sticking = 0;
+  int slipping = 0;
+  for (int i = 1; i <= 300; ++i) {
+    const ContactInput in = tests::random_contact(random, i);
+    expect_impulse(in, i, 300);
+    const tests::ContactOutcome outcome = tests::contact_outcome(in);
+    (outcome.impulse.norm() == 0 ? parting : (outcome.sticks ? sticking : slipping)) += 1;
+  }
+  REQUIRE(parting > 60);
+  REQUIRE(sticking > 5);
+  REQUIRE(slipping > 40);
+}
+
+TEST_CASE("Where the cone is wide enough it sticks", "[6.5]") {
+  tests::Random random(682);
+  int count = 0;
+  for (int i = 1; count < 40 && i <= 1000; ++i) {
+    ContactInput in = tests::random_contact(random, i);
+    in.material.friction = 4.0;
+    if (!sticks(in)) continue;
+    expect_impulse(in, ++count, 40);
+    const Vec3 j = contact_impulse(in.a, in.b, in.contact, in.material);
+    const tests::VecL after = tests::approach(in.a, in.b, in.contact.point) +
+                              tests::mass_matrix(in.a, in.b, in.contact.point) * tests::wide(j);
+    const tests::Real size =
+        tests::contact_outcome(in).amplification * tests::wide(j.norm()) * 20.0L;
+    tests::contact_trial(in, count, 40)
+        .of("the slip after an impact that sticks")
+        .expect(tests::narrow(tests::tangential(after, tests::wide(in.contact.normal))),
+                Vec3(Vec3::Zero()),
+                {128.0 * eps * static_cast<double>(size), "rounding; K is below 20"});
+  }
+}
+
+TEST_CASE("Where the ground is smooth it slips and the impulse is along the normal", "[6.5]") {
+  tests::Random random(683);
+  for (int i = 1; i <= 40; ++i) {
+    ContactInput in = tests::random_contact(random, i);
+    in.material.friction = i % 2 == 0 ? 0.0 : 0.01;
+    expect_impulse(in, i, 40);
+  }
+}
+
+TEST_CASE("Restitution of none and of all is that of any two bodies", "[6.5]") {
+  tests::Random random(684);
+  for (int i = 1; i <= 60; ++i) {
+    ContactInput in = tests::random_contact(random, i);
+    in.material.restitution = i % 3 * 0.5;
+    expect_impulse(in, i, 60);
+  }
+}
+
+TEST_CASE("Where the points part or rest there is no impulse", "[6.5]") {
+  ContactInput in = particle_on_ground(0.5, 0.5);
+  const tests::Bound none{0.0, "there is nothing to stop"};
+  in.b.velocity.z() = 3.0;
+  expect_impulse(in, Vec3::Zero(), none, 1, 3);
+  in.b.velocity.z() = 0.0;
+  expect_impulse(in, Vec3::Zero(), none, 2, 3);
+  in.b.velocity.setZero();
+  expect_impulse(in, Vec3::Zero(), none, 3, 3);
+}

@@ -1,0 +1,156 @@
+#include "catch.hpp"
+#include "oracle.hpp"
+
+using namespace lab::impulse_response;
+using tests::eps;
+using tests::Trial;
+using tests::VecL;
+using tests::wide;
+
+namespace {
+
+struct FrictionCase {
+  double mass;
+  Vec3 velocity;
+  Vec3 normal;
+  double normal_impulse;
+  double friction;
+};
+
+VecL slip(const FrictionCase& c) { return tests::tangential(wide(c.velocity), wide(c.normal)); }
+
+Vec3 exact_friction(const FrictionCase& c) {
+  return tests::narrow(
+      tests::braked(wide(c.mass) * slip(c), wide(c.friction) * wide(c.normal_impulse)));
+}
+
+/// −size along v; zero where v is.
+Vec3 along(tests::Real size, const VecL& v) {
+  return tests::narrow(v.norm() == 0 ? VecL(VecL::Zero()) : VecL(-size / v.norm() * v));
+}
+
+std::vector<tests::Suspect<Vec3>> friction_suspects(const FrictionCase& c) {
+  const VecL v_t = slip(c);
+  const VecL v = wide(c.velocity);
+  const tests::Real m = wide(c.mass);
+  const tests::Real cone = wide(c.friction) * wide(c.normal_impulse);
+  return {{-exact_friction(c), "friction is along the slip: it pushes on"},
+          {along(m * v_t.norm(), v_t), "friction stops all slip: it may not leave the cone mu j_n"},
+          {along(cone, v_t), "friction is always mu j_n: it may not turn a small slip round"},
+          {along(std::min(cone, v_t.norm()), v_t), "the mass is missing in m |v_t|"},
+          {along(std::min(wide(c.normal_impulse), m * v_t.norm()), v_t), "mu is missing"},
+          {along(std::min(cone, m * v.norm()), v),
+           "the whole velocity is braked, not its tangential part"},
+          {tests::narrow(-std::min(cone, m * v_t.norm()) * v_t),
+           "the slip is not made a unit direction"},
+          {Vec3::Zero(), "there is no friction"}};
+}
+
+void expect_friction(const FrictionCase& c, const tests::Bound& bound, int index = 1,
+                     int count = 1) {
+  Trial("6.2 friction_impulse", index, count)
+      .given("mass", c.mass)
+      .given("velocity", c.velocity)
+      .given("normal", c.normal)
+      .given("normal_impulse", c.normal_impulse)
+      .given("friction", c.friction)
+      .expect(friction_impulse(c.mass, c.velocity, c.normal, c.normal_impulse, c.friction),
+              exact_friction(c), bound, friction_suspects(c));
+}
+
+/// m |v_t| is what stops the slip; the cone allows `share` of it.
+FrictionCase random_case(tests::Random& random, double share) {
+  FrictionCase c{random.uniform(1.5, 5.0), random.vector(3.0), random.direction(), 0.0,
+                 random.uniform(0.2, 0.9)};
+  c.normal_impulse = share * c.mass * static_cast<double>(slip(c).norm()) / c.friction;
+  return c;
+}
+
+tests::Bound rounding(const FrictionCase& c) {
+  return {32.0 * eps * c.mass * c.velocity.norm(),
+          "v_t errs by 3 eps |v|, and its direction by as much over |v_t|"};
+}
+
+}  // namespace
+
+TEST_CASE("What slips is braked by mu times the normal impulse", "[6.2]") {
+  // v_t = (3, 4, 0): m |v_t| = 10 is more than the cone's 0.5 · 4 = 2.
+  expect_friction({2.0, Vec3(3.0, 4.0, -1.0), Vec3::UnitZ(), 4.0, 0.5},
+                  {8.0 * eps * 2.0, "a root and a division"});
+}
+
+TEST_CASE("What slips little is stopped and not turned round", "[6.2]") {
+  // m |v_t| = 10 is less than the cone's 0.5 · 40 = 20.
+  expect_friction({2.0, Vec3(3.0, 4.0, -1.0), Vec3::UnitZ(), 40.0, 0.5},
+                  {8.0 * eps * 10.0, "a root and a division"});
+}
+
+TEST_CASE("Friction is that of maximum dissipation for any slip", "[6.2]") {
+  tests::Random random(631);
+  for (int i = 1; i <= 100; ++i) {
+    const FrictionCase c =
+        random_case(random, i % 2 == 0 ? random.uniform(0.05, 0.95) : random.uniform(1.05, 4.0));
+    expect_friction(c, rounding(c), i, 100);
+  }
+}
+
+TEST_CASE("The normal speed is left alone and no friction leaves the cone", "[6.2]") {
+  tests::Random random(632);
+  for (int i = 1; i <= 50; ++i) {
+    const FrictionCase c = random_case(random, random.uniform(0.05, 4.0));
+    const Vec3 j = friction_impulse(c.mass, c.velocity, c.normal, c.normal_impulse, c.friction);
+    const Trial trial = Trial("6.2 friction_impulse", i, 50)
+                            .given("mass", c.mass)
+                            .given("velocity", c.velocity)
+                            .given("normal", c.normal)
+                            .given("normal_impulse", c.normal_impulse)
+                            .given("friction", c.friction);
+    trial.expect_small("|n.j_t|", std::abs(c.normal.dot(j)), rounding(c));
+    trial.expect_small("|j_t| - mu j_n", j.norm() - c.friction * c.normal_impulse, rounding(c));
+  }
+}
+
+TEST_CASE("No other impulse in the cone takes as much energy", "[6.2]") {
+  tests::Random random(633);
+  for (int i = 1; i <= 50; ++i) {
+    const FrictionCase c = random_case(random, i % 2 == 0 ? 0.5 : 1.5);
+    const Vec3 j = friction_impulse(c.mass, c.velocity, c.normal, c.normal_impulse, c.friction);
+    const auto energy = [&](const Vec3& impulse) {
+      return 0.5 * c.mass * (c.velocity + impulse / c.mass).squaredNorm();
+    };
+    double least = HUGE_VAL;
+    const auto [s, t] = tests::across(wide(c.normal));
+    for (int k = 0; k < 72; ++k) {
+      const double angle = k * std::acos(0.0) / 18.0;
+      for (const double size : {0.25, 0.5, 0.75, 1.0}) {
+        const double limit = size * c.friction * c.normal_impulse;
+        const Vec3 other = tests::narrow(std::cos(angle) * s + std::sin(angle) * t) * limit;
+        least = std::min(least, energy(other));
+      }
+    }
+    Trial("6.2 friction_impulse", i, 50)
+        .given("mass", c.mass)
+        .given("velocity", c.velocity)
+        .given("normal", c.normal)
+        .given("normal_impulse", c.normal_impulse)
+        .given("friction", c.friction)
+        .expect_small("energy left, beyond the least of 288 other impulses", energy(j) - least,
+                      {32.0 * eps * energy(Vec3::Zero()), "rounding of two energies"});
+  }
+}
+
+TEST_CASE("Without slip or pressure or roughness there is no friction", "[6.2]") {
+  const tests::Bound none{0.0, "one factor is zero"};
+  expect_friction({2.0, Vec3(0.0, 0.0, -3.0), Vec3::UnitZ(), 9.0, 0.5}, none, 1, 4);
+  expect_friction({2.0, Vec3::Zero(), Vec3::UnitZ(), 9.0, 0.5}, none, 2, 4);
+  expect_friction({2.0, Vec3(1.0, 2.0, -3.0), Vec3::UnitZ(), 0.0, 0.5}, none, 3, 4);
+  expect_friction({2.0, Vec3(1.0, 2.0, -3.0), Vec3::UnitZ(), 9.0, 0.0}, none, 4, 4);
+}
+
+TEST_CASE("However slowly it slips it is braked", "[6.2]") {
+  int index = 0;
+  for (const double speed : {1e-6, 1e-12, 1e-100}) {
+    const FrictionCase c{2.0, Vec3(3.0 * speed, 4.0 * speed, 0.0), Vec3::UnitZ(), 1.0, 0.5};
+    expect_friction(c, rounding(c), ++index, 3);
+  }
+}

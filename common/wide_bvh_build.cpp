@@ -92,8 +92,6 @@ struct Binning {
   }
 };
 
-}  // namespace
-
 /// Cuts ranges of entries and makes nodes of them.
 class WideBvhBuilder {
  public:
@@ -200,6 +198,8 @@ class WideBvhBuilder {
 
   std::vector<Part>& entries_;
 };
+
+}  // namespace
 
 WideBvh::WideBvh(const TriangleMesh& mesh) {
   require_sound(mesh);

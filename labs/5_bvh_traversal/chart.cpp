@@ -77,7 +77,7 @@ render::Method method(const std::string& name, render::Colour colour, const Shar
   return result;
 }
 
-const std::vector<double> sizes{1e3, 1e4, 1e5, 1e6};
+const std::vector<double> sizes = render::ladder(1000, 1000000, 10);
 
 std::vector<render::Method> methods(const SharedProblem& problem) {
   return {method("halves, leaves of 8", palette::orange, problem, sizes, by_halves(8)),

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "common/rigid_transform.hpp"
+#include "common/triangle_mesh.hpp"
+#include "common/types.hpp"
+
+/// A hierarchy of boxes built for speed: eight children a node, boxes in floats, eight of which are
+/// tested at a time, and triangles of which a few are tested at a time.
+namespace common {
+
+/// The tree of a mesh. Its boxes stand about `centre`, in units of 1/scale, rounded outward.
+class WideBvh {
+ public:
+  static constexpr std::size_t width = 8;  ///< children of a node, and triangles of a leaf
+
+  /// Builds by the surface-area heuristic. Throws std::invalid_argument as require_sound does.
+  explicit WideBvh(const TriangleMesh& mesh);
+
+  /// Boxes side by side; those from `size` on are none.
+  struct alignas(64) Node {
+    std::array<std::array<float, width>, 3> low{};
+    std::array<std::array<float, width>, 3> high{};
+    std::array<std::uint32_t, width> child{};  ///< a node, or ~ of one if it is a leaf; or an entry
+    std::uint32_t size = 0;
+    std::array<float, 3> all_low{}, all_high{};  ///< of the box that holds all of them
+    /// Surfaces are thin across: the mean normal of all triangles below, and how far each child's
+    /// triangles reach along it.
+    std::array<float, 3> normal{};
+    std::array<float, width> from{}, to{};
+    float all_from = 0.0F, all_to = 0.0F;
+  };
+  /// A triangle, where its neighbours are.
+  struct Entry {
+    Triangle corners;
+    std::uint32_t triangle = 0;  ///< index in the mesh
+  };
+
+  [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
+  [[nodiscard]] std::uint32_t root() const { return root_; }  ///< as a child
+  [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
+  [[nodiscard]] const Vec3& centre() const { return centre_; }
+  [[nodiscard]] double scale() const { return scale_; }
+
+ private:
+  void lay_slabs(std::uint32_t child, std::size_t& end);
+
+  std::vector<Node> nodes_;
+  std::uint32_t root_ = 0;
+  std::vector<Entry> entries_;
+  Vec3 centre_ = Vec3::Zero();
+  double scale_ = 1.0;  ///< a power of two
+};
+
+/// A triangle of a and a triangle of b, by their indices in the meshes; sorted by a, then by b.
+struct TriangleIndices {
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+  auto operator<=>(const TriangleIndices&) const = default;
+};
+
+struct WideIntersections {
+  std::vector<TriangleIndices> pairs;  ///< each once, sorted
+  std::uint64_t box_tests = 0;         ///< pairs of boxes, not both of triangles
+  std::uint64_t triangle_tests = 0;    ///< pairs of triangles in pairs of leaves that it came to
+};
+
+/// Whether two triangles have a point in common, exactly.
+using TrianglesMeet = bool (*)(const Triangle& a, const Triangle& b);
+
+/// All pairs of triangles that meet: a against b, as it is or moved, as in
+/// transformed(a_from_b, triangle). Plain arithmetic decides where it is sure, and triangles_meet
+/// where it is not. Lengths are zero or within 1e-60 and 1e60 m.
+/// Throws std::invalid_argument where a_from_b is not finite.
+WideIntersections find_intersections(const WideBvh& a, const WideBvh& b,
+                                     TrianglesMeet triangles_meet);
+WideIntersections find_intersections(const WideBvh& a, const WideBvh& b,
+                                     const RigidTransform& a_from_b, TrianglesMeet triangles_meet);
+
+}  // namespace common

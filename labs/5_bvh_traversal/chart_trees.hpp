@@ -1,0 +1,191 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "bvh_traversal.hpp"
+#include "chart_shapes.hpp"
+#include "common/wide_bvh.hpp"
+#include "peers.hpp"
+
+/// The ways to find all pairs that the chart compares: each builds its trees and returns what asks
+/// them.
+namespace lab::bvh_traversal {
+
+using Ask = std::function<Intersections()>;
+using Build = std::function<Ask(const ShapePair&)>;
+
+inline bool is_at_rest(const ShapePair& shapes) { return shapes.a_from_b.rotation.isIdentity(0.0); }
+
+/// Adds the pairs of two leaves: all that the searches below differ in comes before.
+inline void add_leaf_pair(const Bvh& a, const BvhNode& leaf_a, const Bvh& b, const BvhNode& leaf_b,
+                          Intersections& found) {
+  found.triangle_tests += std::uint64_t{leaf_a.count} * leaf_b.count;
+  for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
+    const Box box = box_of(a.corners[i]);
+    for (std::uint32_t j = leaf_b.first; j < leaf_b.first + leaf_b.count; ++j) {
+      if (overlap(box, box_of(b.corners[j])) && triangles_meet(a.corners[i], b.corners[j])) {
+        found.pairs.push_back({a.triangles[i], b.triangles[j]});
+      }
+    }
+  }
+}
+
+inline Ask brute_force(const ShapePair& shapes) {
+  return [&shapes] {
+    Intersections found;
+    const std::size_t n_a = shapes.a.triangles.size();
+    const std::size_t n_b = shapes.b.triangles.size();
+    found.triangle_tests = n_a * n_b;
+    for (std::uint32_t i = 0; i < n_a; ++i) {
+      for (std::uint32_t j = 0; j < n_b; ++j) {
+        if (triangles_meet(triangle(shapes.a, i), triangle(shapes.b, j))) {
+          found.pairs.push_back({i, j});
+        }
+      }
+    }
+    return found;
+  };
+}
+
+/// The answer's own query.
+inline Ask asked(Bvh a, Bvh b, const ShapePair& shapes) {
+  const auto trees = std::make_shared<const std::pair<Bvh, Bvh>>(std::move(a), std::move(b));
+  return [trees, rest = is_at_rest(shapes), pose = shapes.a_from_b] {
+    return rest ? find_intersections(trees->first, trees->second)
+                : find_intersections_moved(trees->first, trees->second, pose);
+  };
+}
+
+inline Build by_halves(int leaf_size) {
+  return [=](const ShapePair& shapes) {
+    return asked(build_median(shapes.a, leaf_size), build_median(shapes.b, leaf_size), shapes);
+  };
+}
+
+inline Build by_sah(int leaf_size) {
+  constexpr int bins = 16;
+  return [=](const ShapePair& shapes) {
+    return asked(build_sah(shapes.a, leaf_size, bins), build_sah(shapes.b, leaf_size, bins),
+                 shapes);
+  };
+}
+
+/// The pairs of leaves at which the words of step 5.3 end; what else they end at is lost.
+inline Ask as_first_written(const ShapePair& shapes) {
+  constexpr int leaf_size = 8;
+  const auto trees = std::make_shared<const std::pair<Bvh, Bvh>>(build_median(shapes.a, leaf_size),
+                                                                 build_median(shapes.b, leaf_size));
+  return [trees] {
+    const auto& [a, b] = *trees;
+    Intersections found;
+    for (const NodePair& end : traverse_as_first_written(a, b).ends) {
+      const BvhNode& node_a = a.nodes[end.a];
+      const BvhNode& node_b = b.nodes[end.b];
+      if (node_a.count > 0 && node_b.count > 0) add_leaf_pair(a, node_a, b, node_b, found);
+    }
+    std::sort(found.pairs.begin(), found.pairs.end());
+    return found;
+  };
+}
+
+/// A node of half the size: its box in floats, rounded outward.
+struct FloatNode {
+  std::array<float, 3> low{}, high{};
+  std::uint32_t first = 0, count = 0;
+};
+
+inline std::vector<FloatNode> in_floats(const Bvh& bvh) {
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  std::vector<FloatNode> nodes(bvh.nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const BvhNode& node = bvh.nodes[i];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto axis = static_cast<Eigen::Index>(k);
+      nodes[i].low[k] = std::nextafter(static_cast<float>(node.box.low[axis]), -infinity);
+      nodes[i].high[k] = std::nextafter(static_cast<float>(node.box.high[axis]), infinity);
+    }
+    nodes[i].first = node.first;
+    nodes[i].count = node.count;
+  }
+  return nodes;
+}
+
+inline bool overlap(const FloatNode& a, const FloatNode& b) {
+  const auto reach = [&](std::size_t i) {
+    return static_cast<int>(a.low[i] <= b.high[i]) & static_cast<int>(b.low[i] <= a.high[i]);
+  };
+  return (reach(0) & reach(1) & reach(2)) != 0;
+}
+
+inline float half_area(const FloatNode& node) {
+  const float x = node.high[0] - node.low[0];
+  const float y = node.high[1] - node.low[1];
+  const float z = node.high[2] - node.low[2];
+  return x * y + y * z + z * x;
+}
+
+/// The search of step 5.4 over boxes in floats; the triangles stay in doubles.
+inline Ask in_float_boxes(const ShapePair& shapes) {
+  struct Trees {
+    Bvh a, b;
+    std::vector<FloatNode> nodes_a, nodes_b;
+  };
+  auto made = std::make_shared<Trees>();
+  made->a = build_sah(shapes.a, 8, 16);
+  made->b = build_sah(shapes.b, 8, 16);
+  made->nodes_a = in_floats(made->a);
+  made->nodes_b = in_floats(made->b);
+  return [trees = std::shared_ptr<const Trees>(made)] {
+    Intersections found;
+    std::vector<NodePair> stack{{0, 0}};
+    while (!stack.empty()) {
+      const NodePair pair = stack.back();
+      stack.pop_back();
+      const FloatNode& a = trees->nodes_a[pair.a];
+      const FloatNode& b = trees->nodes_b[pair.b];
+      if (!overlap(a, b)) continue;
+      if (a.count > 0 && b.count > 0) {
+        add_leaf_pair(trees->a, trees->a.nodes[pair.a], trees->b, trees->b.nodes[pair.b], found);
+      } else if (a.count == 0 && (b.count > 0 || half_area(a) >= half_area(b))) {
+        stack.insert(stack.end(), {{a.first + 1, pair.b}, {a.first, pair.b}});
+      } else {
+        stack.insert(stack.end(), {{pair.a, b.first + 1}, {pair.a, b.first}});
+      }
+    }
+    std::sort(found.pairs.begin(), found.pairs.end());
+    return found;
+  };
+}
+
+/// Eight children a node, tested at once.
+inline Ask by_eights(const ShapePair& shapes) {
+  const auto trees = std::make_shared<const std::pair<common::WideBvh, common::WideBvh>>(
+      common::WideBvh(shapes.a), common::WideBvh(shapes.b));
+  return [trees, rest = is_at_rest(shapes), pose = shapes.a_from_b] {
+    const auto& [a, b] = *trees;
+    const common::WideIntersections wide = rest ? find_intersections(a, b, triangles_meet)
+                                                : find_intersections(a, b, pose, triangles_meet);
+    Intersections found{{}, wide.box_tests, wide.triangle_tests};
+    found.pairs.reserve(wide.pairs.size());
+    for (const auto& [i, j] : wide.pairs) found.pairs.push_back({i, j});
+    return found;
+  };
+}
+
+/// Its tree for the pose is made before anything is asked.
+inline Build by_peer(const Peer& peer) {
+  return [=](const ShapePair& shapes) -> Ask {
+    const std::shared_ptr<PeerTrees> trees = peer.make(shapes.a, shapes.b);
+    trees->place(shapes.a_from_b);
+    return [trees] { return trees->find(); };
+  };
+}
+
+}  // namespace lab::bvh_traversal

@@ -18,8 +18,4 @@ double angle_between(const Quat& a, const Quat& b);
 /// 2 sin(φ/2), and never above 2. It judges a matrix that is no rotation any more as well.
 double chordal_distance(const Mat3& a, const Mat3& b);
 
-/// A rotation that takes +z to the direction, by the shortest way; by a half turn about x where
-/// that is −z. The direction may have any length but zero.
-Mat3 z_axis_towards(const Vec3& direction);
-
 }  // namespace common

@@ -30,6 +30,10 @@ struct Placement {
 /// The attitude that lays a body's z axis, which is a cylinder's, along the world's x.
 inline const Mat3 z_along_x{{0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
 
+/// A rotation that takes +z to the direction, by the shortest way; by a half turn about x where
+/// that is −z. The direction may have any length but zero.
+Mat3 z_axis_towards(const Vec3& direction);
+
 struct Box {
   Placement placement;
   Vec3 half_extents = Vec3::Constant(0.5);  ///< [m]

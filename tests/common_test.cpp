@@ -95,27 +95,6 @@ TEST_CASE("The angle between attitudes keeps small angles and ignores the sign o
   }
 }
 
-TEST_CASE("The z axis turns to any direction by the shortest way", "[common]") {
-  tests::Random random(11);
-  std::vector<Vec3> directions{Vec3::UnitX(),     Vec3::UnitY(),        Vec3::UnitZ(),
-                               -Vec3::UnitZ(),    {1e-9, 0.0, -1.0},    {0.0, -1e-200, -1.0},
-                               {0.0, 0.0, 1e200}, {1e-200, 1e-200, 0.0}};
-  for (int i = 0; i < 1000; ++i)
-    directions.push_back(random.uniform(0.1, 10.0) * random.direction());
-  for (const Vec3& direction : directions) {
-    INFO(tests::text(direction));
-    const Mat3 R = z_axis_towards(direction);
-    const Vec3 u = direction.stableNormalized();
-    CHECK(tests::difference(Mat3(R.transpose() * R), Mat3(Mat3::Identity())) <= 16.0 * eps);
-    CHECK(std::abs(R.determinant() - 1.0) <= 16.0 * eps);
-    CHECK(tests::difference(Vec3(R.col(2)), u) <= 4.0 * eps);
-    // The shortest way turns about an axis across z: the trace is 1 + 2 u_z, and the matrix is
-    // symmetric in x and y.
-    CHECK(std::abs(R.trace() - (1.0 + 2.0 * u.z())) <= 16.0 * eps);
-    CHECK(std::abs(R(0, 1) - R(1, 0)) <= 2.0 * eps);
-  }
-}
-
 TEST_CASE("The chordal distance of two rotations is twice the sine of half the angle", "[common]") {
   const Mat3 R = Quat(0.5, 0.5, -0.5, 0.5).toRotationMatrix();
   for (const double angle : {0.1, 1.0, 3.0}) {

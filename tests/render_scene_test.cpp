@@ -2,14 +2,17 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "catch.hpp"
+#include "random.hpp"
 #include "render/camera.hpp"
 #include "render/draw/view.hpp"
 #include "render/renderer.hpp"
 #include "render/text/text.hpp"
 #include "render_gallery.hpp"
 #include "render_picture.hpp"
+#include "values.hpp"
 
 namespace {
 
@@ -62,6 +65,27 @@ Scene one_box(const Mat3& world_from_body) {
 }
 
 }  // namespace
+
+TEST_CASE("The z axis turns to any direction by the shortest way", "[render_scene]") {
+  tests::Random random(11);
+  std::vector<Vec3> directions{Vec3::UnitX(),     Vec3::UnitY(),        Vec3::UnitZ(),
+                               -Vec3::UnitZ(),    {1e-9, 0.0, -1.0},    {0.0, -1e-200, -1.0},
+                               {0.0, 0.0, 1e200}, {1e-200, 1e-200, 0.0}};
+  for (int i = 0; i < 1000; ++i)
+    directions.push_back(random.uniform(0.1, 10.0) * random.direction());
+  for (const Vec3& direction : directions) {
+    INFO(tests::text(direction));
+    const Mat3 R = render::z_axis_towards(direction);
+    const Vec3 u = direction.stableNormalized();
+    CHECK(tests::difference(Mat3(R.transpose() * R), Mat3(Mat3::Identity())) <= 16.0 * tests::eps);
+    CHECK(std::abs(R.determinant() - 1.0) <= 16.0 * tests::eps);
+    CHECK(tests::difference(Vec3(R.col(2)), u) <= 4.0 * tests::eps);
+    // The shortest way turns about an axis across z: the trace is 1 + 2 u_z, and the matrix is
+    // symmetric in x and y.
+    CHECK(std::abs(R.trace() - (1.0 + 2.0 * u.z())) <= 16.0 * tests::eps);
+    CHECK(std::abs(R(0, 1) - R(1, 0)) <= 2.0 * tests::eps);
+  }
+}
 
 TEST_CASE("Each body shows its colour where it stands", "[render_scene]") {
   const Quality quality = GENERATE(Quality::draft, Quality::film, Quality::report);

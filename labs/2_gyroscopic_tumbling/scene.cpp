@@ -81,7 +81,7 @@ struct Rod {
 
 void add_rod(render::Scene& scene, const Vec3& center, const Mat3& R, const Rod& rod) {
   scene.capsules.push_back(
-      {{center + R * (0.5 * (rod.from + rod.to)), R * common::z_axis_towards(rod.to - rod.from)},
+      {{center + R * (0.5 * (rod.from + rod.to)), R * render::z_axis_towards(rod.to - rod.from)},
        rod.radius,
        0.5 * (rod.to - rod.from).norm(),
        {rod.colour, rod.colour}});

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "common/attitude.hpp"
 #include "render/film.hpp"
 #include "scene_motions.hpp"
 
@@ -69,7 +68,7 @@ void add_edge(render::Scene& scene, double time, const render::Colour& colour, f
   const Vec3 shift(0.0, edge_shift, 0.0);
   const Vec3 a = edge.a + time * edge.velocity_a + shift;
   const Vec3 b = edge.b + time * edge.velocity_b + shift;
-  const Mat3 along = common::z_axis_towards(b - a);
+  const Mat3 along = render::z_axis_towards(b - a);
   scene.capsules.push_back(
       {{0.5 * (a + b), along}, edge.radius, 0.5 * (b - a).norm(), {colour, colour, paleness}});
   if (!(time > 0.0)) return;

@@ -5,8 +5,6 @@
 #include <numbers>
 #include <numeric>
 
-#include "common/attitude.hpp"
-
 namespace render {
 namespace {
 
@@ -71,7 +69,7 @@ class Builder {
     if (length == 0.0 || arrow.width <= 0.0) return;
     const double head = std::min(4.5 * arrow.width, 0.6 * length);
     const double shaft = length - head;
-    const Mat3 turn = common::z_axis_towards(span);
+    const Mat3 turn = z_axis_towards(span);
     const double radius = arrow.width / 2;
     // A short arrow's head keeps its shape, so the shaft shrinks with it.
     const double thinning = std::min(1.0, head / (4.5 * arrow.width));

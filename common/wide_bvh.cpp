@@ -152,7 +152,10 @@ class Query {
         1e-6 * (3.0 + 9.0 * R.cwiseAbs().maxCoeff() * ratio + shift.cwiseAbs().sum()) +
         1e-14 * far * a.scale();
     to_a_ = BoxMap(ratio * R, shift, margin);
-    to_b_ = BoxMap(R.transpose() / ratio, -R.transpose() * shift / ratio,
+    Mat3 back = R;
+    back.transposeInPlace();
+    back /= ratio;
+    to_b_ = BoxMap(back, -(back * shift),
                    (1.0 + R.cwiseAbs().maxCoeff()) * 3.0 * margin / ratio +
                        4.0 * skew * (1.0 + (1.0 + shift.cwiseAbs().sum()) / ratio));
   }

@@ -123,8 +123,9 @@ Corners gathered(const EntryOf& entry_of) {
   std::array<const double*, double_lanes> from{};
   for (std::size_t i = 0; i < double_lanes; ++i) from[i] = entry_of(i).corners[0].data();
   const auto lanes = [&](std::size_t k) {
-    if constexpr (double_lanes == 4) return Doubles{from[0][k], from[1][k], from[2][k], from[3][k]};
-    if constexpr (double_lanes == 2) return Doubles{from[0][k], from[1][k]};
+    Doubles result{};
+    for (std::size_t i = 0; i < double_lanes; ++i) result[i] = from[i][k];
+    return result;
   };
   return {{{lanes(0), lanes(1), lanes(2)},
            {lanes(3), lanes(4), lanes(5)},

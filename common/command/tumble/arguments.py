@@ -130,8 +130,8 @@ def _add_pictures(parser: argparse.ArgumentParser) -> None:
 def _add_chart(parser: argparse.ArgumentParser) -> None:
     _add_pictures(parser)
     parser.add_argument("--peers", action="store_true", help=(
-        "draw Bullet and ODE in, where the lab has them and libbullet-dev and libode-dev are "
-        "installed (no command installs them)"))
+        "draw other engines in, where they are installed (no command installs them): lab 2 "
+        "libbullet-dev, libode-dev; lab 5 libfcl-dev, libembree-dev, libcgal-dev"))
 
 
 def _add_frames(parser: argparse.ArgumentParser) -> None:

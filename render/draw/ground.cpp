@@ -63,15 +63,15 @@ std::vector<Shadow> shadows_of(const View& view, const std::vector<Block>& caste
   return result;
 }
 
-struct Rectangle {
+struct Patch {
   Vector2d low;
   Vector2d high;
 };
 
 // The smallest rectangle that holds all with their soft borders, as far as the ground shows.
-Rectangle hull_of(const View& view, const std::vector<Shadow>& shadows, double border) {
+Patch hull_of(const View& view, const std::vector<Shadow>& shadows, double border) {
   const double reach = ground_reach(view);
-  Rectangle hull{Vector2d::Constant(reach), Vector2d::Constant(-reach)};
+  Patch hull{Vector2d::Constant(reach), Vector2d::Constant(-reach)};
   for (const Shadow& shadow : shadows) {
     const Vector2d half_size = shadow.reach() + Vector2d::Constant(border);
     hull.low = hull.low.cwiseMin(shadow.centre - half_size);
@@ -80,12 +80,12 @@ Rectangle hull_of(const View& view, const std::vector<Shadow>& shadows, double b
   return {hull.low.cwiseMax(-reach), hull.high.cwiseMin(reach)};
 }
 
-constexpr int side = 24;
+constexpr int cells_a_side = 24;
 
 // Which cells of a rectangle's lattice need shading.
 class Cells {
  public:
-  explicit Cells(const Rectangle& hull) : hull_(hull), cell_((hull.high - hull.low) / side) {}
+  explicit Cells(const Patch& hull) : hull_(hull), cell_((hull.high - hull.low) / cells_a_side) {}
 
   void mark(const Shadow& shadow, double border) {
     const Vector2d half_size = shadow.reach() + Vector2d::Constant(border);
@@ -104,8 +104,8 @@ class Cells {
   // shorter ones at T-junctions, where single pixels stay empty.
   [[nodiscard]] std::vector<Eigen::Vector2f> triangles() {
     std::vector<Eigen::Vector2f> corners;
-    for (int y = 0; y < side; ++y) {
-      for (int x = 0; x < side; ++x) {
+    for (int y = 0; y < cells_a_side; ++y) {
+      for (int x = 0; x < cells_a_side; ++x) {
         if (!at(x, y)) continue;
         corners.insert(corners.end(), {corner(x, y), corner(x + 1, y), corner(x + 1, y + 1),
                                        corner(x, y), corner(x + 1, y + 1), corner(x, y + 1)});
@@ -117,7 +117,7 @@ class Cells {
  private:
   [[nodiscard]] int index(double place, int axis) const {
     const double steps = std::floor((place - hull_.low[axis]) / cell_[axis]);
-    return static_cast<int>(std::clamp(steps, 0.0, side - 1.0));
+    return static_cast<int>(std::clamp(steps, 0.0, cells_a_side - 1.0));
   }
   [[nodiscard]] Eigen::Vector2f corner(int x, int y) const {
     return {static_cast<float>(hull_.low.x() + x * cell_.x()),
@@ -127,9 +127,9 @@ class Cells {
     return is_shaded_[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)];
   }
 
-  Rectangle hull_;
+  Patch hull_;
   Vector2d cell_;
-  std::array<std::array<bool, side>, side> is_shaded_{};
+  std::array<std::array<bool, cells_a_side>, cells_a_side> is_shaded_{};
 };
 
 }  // namespace
@@ -138,7 +138,7 @@ std::vector<Eigen::Vector2f> shaded_ground(const View& view, const std::vector<B
                                            const std::vector<Vec3>& towards_lights,
                                            const Ground& ground) {
   const std::vector<Shadow> shadows = shadows_of(view, casters, towards_lights, ground.height);
-  const Rectangle hull = hull_of(view, shadows, ground.border);
+  const Patch hull = hull_of(view, shadows, ground.border);
   if ((hull.high - hull.low).minCoeff() <= 0.0) return {};
   Cells cells(hull);
   for (const Shadow& shadow : shadows) cells.mark(shadow, ground.border);

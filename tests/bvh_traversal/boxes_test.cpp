@@ -10,7 +10,7 @@ using tests::Trial;
 
 namespace {
 
-const std::string touching =
+const std::string touching_boxes =
     "touching boxes are taken for apart: they share points, so <= and not <";
 const std::string one_axis_is_enough =
     "one coordinate is enough: boxes overlap only where their intervals do in all three";
@@ -82,7 +82,7 @@ void expect_overlap(const Box& a, const Box& b, int index, int count) {
     const bool wanted = overlap_by(first, second, false);
     trial.expect(
         Decision{got}, Decision{wanted}, tests::exactly,
-        {{Decision{overlap_strictly(first, second)}, touching},
+        {{Decision{overlap_strictly(first, second)}, touching_boxes},
          {Decision{overlap_by(first, second, true)}, one_axis_is_enough},
          {Decision{has_corner_in(first, second) || has_corner_in(second, first)}, corner_inside}});
   }

@@ -14,7 +14,7 @@ Triangle times(const Triangle& t, double factor) {
   return {factor * t[0], factor * t[1], factor * t[2]};
 }
 
-Triangle plus(const Triangle& t, const Vec3& offset) {
+Triangle shifted(const Triangle& t, const Vec3& offset) {
   return {t[0] + offset, t[1] + offset, t[2] + offset};
 }
 
@@ -81,8 +81,8 @@ TEST_CASE("Far off and tiny triangles meet as in rational arithmetic", "[5.5]") 
   for (const double offset : {1e6, 1e9}) {
     for (int i = 0; i < 200; ++i) {
       const Vec3 far = Vec3::Constant(offset);
-      expect_as_in_rationals(plus(times(on_grid(random, 3), 0.1), far),
-                             plus(times(on_grid(random, 3), 0.1), far), false, ++index, 1000);
+      expect_as_in_rationals(shifted(times(on_grid(random, 3), 0.1), far),
+                             shifted(times(on_grid(random, 3), 0.1), far), false, ++index, 1000);
     }
   }
 }

@@ -50,7 +50,7 @@ Trial map_trial(const Vec3& a, int index = 1, int count = 1) {
   return Trial("1.6 exponential_map", index, count).given("rotation_vector", a);
 }
 
-Trial step_trial(const Quat& q, const Vec3& omega, double dt, int index = 1, int count = 1) {
+Trial exponential_trial(const Quat& q, const Vec3& omega, double dt, int index = 1, int count = 1) {
   return Trial("1.6 step_exponential", index, count)
       .given("world_from_body", q)
       .given("angular_velocity", omega)
@@ -140,7 +140,7 @@ TEST_CASE("A step turns the world side of the attitude", "[1.6]") {
     const Quat q = random.attitude();
     const Vec3 omega = random.vector(5.0);
     const double dt = random.uniform(-0.5, 0.5);
-    step_trial(q, omega, dt, i, 100)
+    exponential_trial(q, omega, dt, i, 100)
         .expect(step_exponential(q, omega, dt), product(exact_exponential(omega * dt), q),
                 {(16.0 + omega.norm() * std::abs(dt)) * eps, "the map's rounding and one product"},
                 suspects_of_step(q, omega, dt));
@@ -152,7 +152,7 @@ TEST_CASE("However slow the spin a step turns by it", "[1.6]") {
     const Vec3 omega(2.0 * speed, -3.0 * speed, 6.0 * speed);
     Quat q = step_exponential(Quat::Identity(), omega, 0.5);
     if (q.w() < 0.0) q.coeffs() *= -1.0;
-    step_trial(Quat::Identity(), omega, 0.5)
+    exponential_trial(Quat::Identity(), omega, 0.5)
         .of("the vector part")
         .expect(Vec3(q.vec()), Vec3(0.25 * omega),
                 {8.0 * eps * speed * 1.75 + std::pow(speed, 3) * 8.0,
@@ -176,7 +176,7 @@ TEST_CASE("A constant spin is exact at any step size", "[1.6]") {
     const Exact share = sin(total / 2) / length;
     const Quat turn(static_cast<double>(cos(total / 2)), static_cast<double>(share * axis.x()),
                     static_cast<double>(share * axis.y()), static_cast<double>(share * axis.z()));
-    step_trial(start, axis, x, ++index, 5)
+    exponential_trial(start, axis, x, ++index, 5)
         .expect(
             q, product(turn, start),
             {steps * (16.0 + x) * eps, "50 steps, each with the map's rounding and one product"});
@@ -210,11 +210,11 @@ TEST_CASE("Sampled once a turn of omega the midpoint rule sees a constant spin",
     q = step_exponential(q, angular_velocity(motion, (i + 0.5) * dt), dt);
   }
   const Vec3 sampled = angular_velocity(motion, 0.5 * dt);
-  step_trial(start, sampled, dt)
+  exponential_trial(start, sampled, dt)
       .expect(q, product(exact_exponential(5.0 * dt * sampled), start),
               {200.0 * eps, "five products, and five samples that differ by the rounding of pi"},
               suspects_of_step(start, sampled, 5.0 * dt));
-  step_trial(start, sampled, dt)
+  exponential_trial(start, sampled, dt)
       .expect_small("1 - angle to the true attitude",
                     1.0 - common::angle_between(q, attitude(motion, 5.0 * dt)),
                     {0.0, "the true attitude is elsewhere, by more than a radian"});

@@ -122,6 +122,7 @@ void Worker::start() {
   std::signal(SIGPIPE, SIG_IGN);
   std::vector<std::string> words = command_line();
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   patience_ = allowed_seconds();

@@ -16,3 +16,6 @@ add_kit_script(grading "a class gets what is due" Python3::Interpreter -B
   "${CMAKE_CURRENT_SOURCE_DIR}/grading_test.py" judged_class)
 set_tests_properties("kit/grading/a class gets what is due" PROPERTIES TIMEOUT 2400
   SKIP_REGULAR_EXPRESSION "OK .skipped=")
+add_kit_script(grading "every lab is judged" Python3::Interpreter -B
+  "${CMAKE_CURRENT_SOURCE_DIR}/grading_test.py" judged)
+set_tests_properties("kit/grading/every lab is judged" PROPERTIES TIMEOUT 2400)

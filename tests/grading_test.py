@@ -6,7 +6,7 @@ from pathlib import Path
 
 TESTS = Path(__file__).resolve().parent / "grading"
 ROOT = TESTS.parents[1]
-SLOW = {"attack", "handout_student", "judged_class"}
+SLOW = {"attack", "judged", "handout_student", "judged_class"}
 """They build, so they run where they are named."""
 
 

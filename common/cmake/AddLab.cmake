@@ -24,8 +24,10 @@ function(add_lab name)
   file(GLOB test_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/${name}/*.cpp")
   _read_cases(cases ${test_sources})
   _add_program(${name}_test "${test_sources}" test_support test_support)
-  if(TUMBLE_GRADE)
+  if(TUMBLE_GRADE OR TUMBLE_PROOF)
     _add_judge()
+  endif()
+  if(TUMBLE_GRADE)
     return()
   endif()
   _add_program(${name}_scene scene.cpp precompiled_project_flags render_scene)
@@ -146,7 +148,7 @@ function(_add_answer answer source flags)
 endfunction()
 
 # The lab's tests with solutions/grading/<name>/proxy.cpp in place of an answer, and what an answer is
-# linked with to run elsewhere; see solutions/grading/contract.hpp. CMake compiles no answer here.
+# linked with to run elsewhere; see solutions/grading/contract.hpp. CMake compiles no answer for it.
 # build/grade/judges/<name>.json says where all of that is, and how a student's file is compiled.
 function(_add_judge)
   set(grading "${PROJECT_SOURCE_DIR}/solutions/grading")
@@ -155,11 +157,11 @@ function(_add_judge)
     return()
   endif()
   set(includes "${grading}" "${grading}/${name}")
-  add_executable(${name}_judge_test "${grading}/proxy.cpp" "${grading}/worker.cpp"
+  add_executable(${name}_judge_test EXCLUDE_FROM_ALL "${grading}/proxy.cpp" "${grading}/worker.cpp"
     "${grading}/${name}/proxy.cpp")
   target_include_directories(${name}_judge_test PRIVATE ${includes})
   target_link_libraries(${name}_judge_test PRIVATE ${name}_test project_flags)
-  add_library(${name}_driver OBJECT "${grading}/driver.cpp")
+  add_library(${name}_driver OBJECT EXCLUDE_FROM_ALL "${grading}/driver.cpp")
   target_include_directories(${name}_driver PRIVATE ${includes})
   target_link_libraries(${name}_driver PRIVATE ${name}_contract project_flags)
   set(options "$<JOIN:$<TARGET_PROPERTY:answer_flags,INTERFACE_COMPILE_OPTIONS>,$<SEMICOLON>>")

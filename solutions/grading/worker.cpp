@@ -26,7 +26,7 @@ constexpr int status_descriptor = 5;  // bubblewrap says there that it has come 
 constexpr int patience = 10;          // what a worker may compute [s]
 constexpr int little_patience = 1;    // after `timeouts` of them
 constexpr int timeouts = 3;
-constexpr int wall_factor = 3;        // a loaded machine is slow
+constexpr int wall_factor = 3;  // a loaded machine is slow
 
 std::string environment(const char* name) {
   const char* text = std::getenv(name);
@@ -122,6 +122,7 @@ void Worker::start() {
   std::signal(SIGPIPE, SIG_IGN);
   std::vector<std::string> words = command_line();
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   patience_ = allowed_seconds();

@@ -14,7 +14,8 @@ from typing import Mapping, Optional
 ROOT = Path(__file__).resolve().parents[2]
 LAB = "1_spin"
 
-_SYSTEM_TOOLS = ("sh", "dirname", "readlink", "id", "mkdir", "env", "cat", "touch", "cp", "uname", "sleep")
+_SYSTEM_TOOLS = ("sh", "dirname", "readlink", "id", "mkdir", "env", "cat", "touch", "cp", "uname",
+                 "sleep")
 
 _HANDOUT = """# Lab 1: spin & <turn>
 

@@ -19,7 +19,8 @@ from .sandbox import Sandbox
 PRESET = "grade"
 DIAGNOSTICS_LIMIT = 4096
 
-_SECONDS = 90
+_SECONDS = 900
+"""Of waiting. The compiler's own computing is limited; more is a machine that is too busy."""
 _LARGEST_PROGRAM = 64 << 20
 _PLAIN = ("-O1", "-g1", "-D_GLIBCXX_ASSERTIONS")
 _SANITIZED = (*_PLAIN, "-fsanitize=address,undefined", "-fno-sanitize-recover=all",
@@ -103,7 +104,7 @@ def compile_driver(lab: Lab, tools_: Tools, kit: Path, program: Path, sandbox: S
     code = _run(sandbox.compile_command(kit, out, command), log)
     said = _diagnostics(log)
     if code is None:
-        return Compiled(False, f"the compiler was stopped after {_SECONDS} s\n{said}".strip())
+        raise Failure(f"the compiler did not end within {_SECONDS} s: is this machine too busy?")
     if code != 0 or not _take(out / "program", program):
         return Compiled(False, said or "the compiler was stopped at a limit: time, memory or size")
     return Compiled(True, said)

@@ -1,4 +1,4 @@
-"""The bank of attacks, each graded against lab 1: none earns a step, leaves a trace or touches another.
+"""The bank of attacks, each graded against lab 1: none earns, leaves a trace or touches another.
 
 attacks/manifest.json says of each file: its family; its base; the words that its cases may get; the
 steps that it solves honestly, if any; what the sanitizers must say; what graders are told. Bases:
@@ -22,6 +22,8 @@ from tumble.grading.compiling import tools
 from tumble.grading.judge import Judged, judge
 from tumble.labs import find_lab
 
+from box import box_or_skip
+
 ROOT = Path(__file__).resolve().parents[2]
 ATTACKS = ROOT / "tests/grading/attacks"
 STEPS = ("1.1",)
@@ -41,7 +43,7 @@ class Attacks(unittest.TestCase):
     def setUpClass(cls) -> None:
         cls.manifest = json.loads((ATTACKS / "manifest.json").read_text(encoding="utf-8"))
         cls.lab = find_lab(ROOT, "1")
-        cls.box = sandbox.Sandbox.find(allow_none=False)
+        cls.box = box_or_skip()
         cls.folder = Path(cls.enterClassContext(tempfile.TemporaryDirectory(prefix="tumble-")))
         cls.folder.chmod(0o755)
         cls.neighbour = cls.folder / "neighbour"
@@ -145,7 +147,8 @@ def workers() -> set[tuple[str, str]]:
     for folder in Path("/proc").glob("[0-9]*"):
         try:
             if (folder / "cmdline").read_bytes().split(b"\0")[0] == b"/driver":
-                found.add((folder.name, (folder / "stat").read_text().rsplit(")", 1)[1].split()[19]))
+                status = (folder / "stat").read_text().rsplit(")", 1)[1].split()
+                found.add((folder.name, status[19]))
         except OSError:
             continue
     return found

@@ -14,8 +14,9 @@ from typing import NamedTuple, Sequence
 
 from tumble.grading.judge import Judged, judge
 from tumble.grading.points import expected_cases
-from tumble.grading.sandbox import Sandbox
 from tumble.labs import Lab, find_labs
+
+from box import box_or_skip
 
 ROOT = Path(__file__).resolve().parents[2]
 SEEDS = (917465328104, 350912874663)
@@ -47,7 +48,7 @@ def mistakes(lab: Lab) -> list[Mistake]:
 class EveryLab(unittest.TestCase):
     @classmethod
     def setUpClass(cls) -> None:
-        cls.box = Sandbox.find(allow_none=False)
+        cls.box = box_or_skip()
 
     def judged(self, lab: Lab, source: bytes, sanitize: bool = False) -> Judged:
         with tempfile.TemporaryDirectory(prefix="tumble-") as work:

@@ -1,8 +1,8 @@
 """Runs the lab's tests on a worker, a process a case, by CTest; and what became of each, in a word.
 
-The tests are the lab's own, linked with a proxy: they never hold a student's code, so that what they
-say and how they end can be believed. What a student's exceptions say comes through, but on one line
-and without the letters that a line of a test begins with.
+The tests are the lab's own, linked with a proxy: they never hold a student's code, so that what
+they say and how they end can be believed. What a student's exceptions say comes through, but on one
+line and without the letters that a line of a test begins with.
 """
 
 from __future__ import annotations
@@ -32,8 +32,8 @@ _SECONDS = 300
 """A case ends by itself long before: the worker's time is limited, and the rest is trusted."""
 
 PATIENCE = 10
-"""What a worker may compute in a case [s]; three times as long may it take. A second each once three
-of a submission have come to no end."""
+"""What a worker may compute in a case [s]; three times as long may it take. A second each once
+three of a submission have come to no end."""
 
 _FATE = re.compile(r"^tumble-judge: ([^\n]+)$", re.MULTILINE)
 _STEP = re.compile(r"\d+\.\d+")
@@ -41,7 +41,7 @@ _REPORT = re.compile(r"AddressSanitizer|runtime error:")
 
 
 class CaseOutcome(NamedTuple):
-    """detail: never a number that a test asked with or got; likely: the mistake, where one is known."""
+    """detail: never a number that a test asked with or got; likely: the mistake, where known."""
 
     step: str
     case: str
@@ -95,7 +95,8 @@ def _run_ctest(run: Run, cases: Sequence[tuple[str, str]],
 
 def _declaration(run: Run, index: int, title: str, name: str) -> str:
     settings = [f"TUMBLE_WORKER_LOG={run.folder / f'{index}.words'}"] if run.keeps_words else []
-    command = " ".join(f"[==[{word}]==]" for word in (str(run.tools.test), title, *run.tools.strict))
+    words = (str(run.tools.test), title, *run.tools.strict)
+    command = " ".join(f"[==[{word}]==]" for word in words)
     return (f"add_test([==[{name}]==] {command})\n"
             f"set_tests_properties([==[{name}]==] PROPERTIES TIMEOUT {_SECONDS} "
             f"ENVIRONMENT [==[{';'.join(settings)}]==])\n")

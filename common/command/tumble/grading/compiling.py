@@ -52,7 +52,7 @@ class Compiled(NamedTuple):
 
 
 def tools(root: Path, lab: Lab) -> Tools:
-    """Built once in the life of this process: sources that change meanwhile must not change marks."""
+    """Built once in the life of this process: sources that change meanwhile change no marks."""
     with _building:
         key = (root, lab.name)
         if key not in _built:
@@ -79,7 +79,7 @@ def _words(joined: str) -> list[str]:
 
 
 def prepare_kit(root: Path, lab: Lab, source: bytes, tools_: Tools, kit: Path) -> None:
-    """All that the compiler sees: the file, what its author was given, and what it is linked with."""
+    """All that the compiler sees: the file, what its author was given, what it is linked with."""
     (kit / "common").mkdir(parents=True)
     for header in sorted((root / "common").glob("*.hpp")):
         shutil.copyfile(header, kit / "common" / header.name)

@@ -1,8 +1,8 @@
 """The box in which a student's file is compiled and run: bubblewrap, without network, limited.
 
-The compiler sees /usr, the headers that students have, and what it links with; a worker sees /usr and
-itself. Neither sees tests, solutions or other students. Under root all of it runs as a user without
-rights: root would keep its capabilities within, and no limit of processes holds for it.
+The compiler sees /usr, the headers that students have, and what it links with; a worker sees /usr
+and itself. Neither sees tests, solutions or other students. Under root all of it runs as a user
+without rights: root would keep its capabilities within, and no limit of processes holds for it.
 """
 
 from __future__ import annotations
@@ -99,7 +99,8 @@ class Sandbox:
             return [*self._user(), *words, *limits.command(), str(driver)]
         mounts = ["--chdir", "/tmp", "--ro-bind", str(driver), "/driver",
                   *(word for setting in settings for word in ("--setenv", *setting))]
-        return self._boxed(limits, mounts, ["/driver"], ["--json-status-fd", str(STATUS_DESCRIPTOR)])
+        options = ["--json-status-fd", str(STATUS_DESCRIPTOR)]
+        return self._boxed(limits, mounts, ["/driver"], options)
 
     def compile_command(self, kit: Path, out: Path, command: Sequence[str]) -> list[str]:
         """The command sees `kit` as /kit, begins there, and may write to `out`, seen as /out."""
@@ -118,8 +119,8 @@ class Sandbox:
 
     def _boxed(self, limits: Limits, mounts: Sequence[str], command: Sequence[str],
                options: Sequence[str] = ()) -> list[str]:
-        return [*self._user(), _tool("bwrap"), "--unshare-all", "--unshare-user", "--disable-userns",
-                "--cap-drop", "ALL", "--new-session", "--die-with-parent", "--clearenv", *options,
+        return [*self._user(), _tool("bwrap"), "--unshare-all", "--unshare-user",
+                "--disable-userns", "--cap-drop", "ALL", "--new-session", "--die-with-parent", "--clearenv", *options,
                 "--uid", "1000", "--gid", "1000", "--hostname", "box",
                 "--ro-bind", "/usr", "/usr", *_system_links(), "--proc", "/proc", "--dev", "/dev",
                 "--size", str(limits.scratch), "--tmpfs", "/tmp",

@@ -26,7 +26,7 @@ constexpr int status_descriptor = 5;  // bubblewrap says there that it has come 
 constexpr int patience = 10;          // what a worker may compute [s]
 constexpr int little_patience = 1;    // after `timeouts` of them
 constexpr int timeouts = 3;
-constexpr int wall_factor = 3;  // a loaded machine is slow
+constexpr int wall_factor = 6;  // a loaded machine is slow
 
 std::string environment(const char* name) {
   const char* text = std::getenv(name);

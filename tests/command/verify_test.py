@@ -13,6 +13,7 @@ TESTS = {
     f"{LAB}/nan/1.1/Skew": "run", f"{LAB}/mistake/1.1/transposed": "run",
     f"{LAB}/mistake/1.1/sign": "notrun",
     "kit/render/A frame is drawn": "run", "kit/command/checklist": "run",
+    "kit/grading/slurm": "notrun", "kit/grading/points": "run",
 }
 
 
@@ -30,6 +31,8 @@ class Verify(KitTestCase):
         self.kit.write("fake/console.txt", f" 1/10 Test  #1: x ....   Passed\n\n{SUMMARY}\n"
                        "The following tests FAILED:\n"
                        f"\t  5 - {LAB}/reference/1.2/Point (SEGFAULT)\n"
+                       "The following tests did not run:\n"
+                       "\t 11 - kit/grading/slurm (Skipped)\n"
                        "Errors while running CTest\n")
         self.kit.write("fake/ctest_fails", "")
 
@@ -43,6 +46,12 @@ class Verify(KitTestCase):
         self.assertIn("all 2/2 2/3 1/1 1/2 ✗".split(), rows)
         self.assertIn("render 1/1 ✓".split(), rows)
         self.assertIn("command 1/1 ✓".split(), rows)
+
+    def test_what_was_skipped_is_named_and_no_failure(self) -> None:
+        text = self.kit.tumble("verify").stdout
+        self.assertIn("grading 1/1 ✓".split(), [line.split() for line in text.splitlines()])
+        self.assertIn("  skipped: kit/grading/slurm\n", text)
+        self.assertNotIn("output of kit/grading/slurm", text)
 
     def test_ctests_summary_comes_last_and_failures_before_it(self) -> None:
         done = self.kit.tumble("verify")

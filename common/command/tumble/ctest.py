@@ -29,6 +29,11 @@ class Case(NamedTuple):
     def passed(self) -> bool:
         return self.status == "run"
 
+    @property
+    def skipped(self) -> bool:
+        """It found that this machine cannot run it."""
+        return self.reason == "Skipped"
+
 
 class TestRun(NamedTuple):
     code: int

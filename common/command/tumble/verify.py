@@ -96,7 +96,7 @@ def kit_lines(cases: Sequence[ctest.Case]) -> list[str]:
     groups: dict[str, Count] = {}
     for case in cases:
         parts = case.name.split("/", 2)
-        if parts[0] == "kit":
+        if parts[0] == "kit" and not case.skipped:
             group = parts[1] if len(parts) > 1 else ""
             groups[group] = groups.get(group, Count()).plus(Count(int(case.passed), 1))
     if not groups:
@@ -104,13 +104,17 @@ def kit_lines(cases: Sequence[ctest.Case]) -> list[str]:
     name_width = max(map(len, groups))
     return [coloured("The kit's own tests", "bold")] + [
         f"  {name:<{name_width}}  {str(count):>7}  {_sign([count])}"
-        for name, count in sorted(groups.items())] + [""]
+        for name, count in sorted(groups.items())] + skipped_lines(cases) + [""]
+
+
+def skipped_lines(cases: Sequence[ctest.Case]) -> list[str]:
+    return [f"  skipped: {case.name}" for case in cases if case.skipped]
 
 
 def failure_lines(cases: Sequence[ctest.Case]) -> list[str]:
     lines = []
     for case in cases:
-        if not case.passed:
+        if not case.passed and not case.skipped:
             why = case.reason or case.status
             lines += [coloured(f"{case.name} ({plain(why)})", "red"),
                       shortened(case.output.strip(), _OUTPUT_LIMIT), ""]

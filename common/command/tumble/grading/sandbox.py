@@ -120,7 +120,8 @@ class Sandbox:
     def _boxed(self, limits: Limits, mounts: Sequence[str], command: Sequence[str],
                options: Sequence[str] = ()) -> list[str]:
         return [*self._user(), _tool("bwrap"), "--unshare-all", "--unshare-user",
-                "--disable-userns", "--cap-drop", "ALL", "--new-session", "--die-with-parent", "--clearenv", *options,
+                "--disable-userns", "--cap-drop", "ALL", "--new-session", "--die-with-parent",
+                "--clearenv", *options,
                 "--uid", "1000", "--gid", "1000", "--hostname", "box",
                 "--ro-bind", "/usr", "/usr", *_system_links(), "--proc", "/proc", "--dev", "/dev",
                 "--size", str(limits.scratch), "--tmpfs", "/tmp",

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -95,73 +94,21 @@ inline Ask as_first_written(const ShapePair& shapes) {
   };
 }
 
-/// A node of half the size: its box in floats, rounded outward.
-struct FloatNode {
-  std::array<float, 3> low{}, high{};
-  std::uint32_t first = 0, count = 0;
-};
-
-inline std::vector<FloatNode> in_floats(const Bvh& bvh) {
+/// Its boxes rounded outward to floats, as trees of half the size would keep them.
+inline Bvh in_floats(Bvh bvh) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
-  std::vector<FloatNode> nodes(bvh.nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const BvhNode& node = bvh.nodes[i];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto axis = static_cast<Eigen::Index>(k);
-      nodes[i].low[k] = std::nextafter(static_cast<float>(node.box.low[axis]), -infinity);
-      nodes[i].high[k] = std::nextafter(static_cast<float>(node.box.high[axis]), infinity);
+  for (BvhNode& node : bvh.nodes) {
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      node.box.low[i] = double{std::nextafter(static_cast<float>(node.box.low[i]), -infinity)};
+      node.box.high[i] = double{std::nextafter(static_cast<float>(node.box.high[i]), infinity)};
     }
-    nodes[i].first = node.first;
-    nodes[i].count = node.count;
   }
-  return nodes;
+  return bvh;
 }
 
-inline bool overlap(const FloatNode& a, const FloatNode& b) {
-  const auto reach = [&](std::size_t i) {
-    return static_cast<int>(a.low[i] <= b.high[i]) & static_cast<int>(b.low[i] <= a.high[i]);
-  };
-  return (reach(0) & reach(1) & reach(2)) != 0;
-}
-
-inline float half_area(const FloatNode& node) {
-  const float x = node.high[0] - node.low[0];
-  const float y = node.high[1] - node.low[1];
-  const float z = node.high[2] - node.low[2];
-  return x * y + y * z + z * x;
-}
-
-/// The search of step 5.4 over boxes in floats; the triangles stay in doubles.
 inline Ask in_float_boxes(const ShapePair& shapes) {
-  struct Trees {
-    Bvh a, b;
-    std::vector<FloatNode> nodes_a, nodes_b;
-  };
-  auto made = std::make_shared<Trees>();
-  made->a = build_sah(shapes.a, 8, 16);
-  made->b = build_sah(shapes.b, 8, 16);
-  made->nodes_a = in_floats(made->a);
-  made->nodes_b = in_floats(made->b);
-  return [trees = std::shared_ptr<const Trees>(made)] {
-    Intersections found;
-    std::vector<NodePair> stack{{0, 0}};
-    while (!stack.empty()) {
-      const NodePair pair = stack.back();
-      stack.pop_back();
-      const FloatNode& a = trees->nodes_a[pair.a];
-      const FloatNode& b = trees->nodes_b[pair.b];
-      if (!overlap(a, b)) continue;
-      if (a.count > 0 && b.count > 0) {
-        add_leaf_pair(trees->a, trees->a.nodes[pair.a], trees->b, trees->b.nodes[pair.b], found);
-      } else if (a.count == 0 && (b.count > 0 || half_area(a) >= half_area(b))) {
-        stack.insert(stack.end(), {{a.first + 1, pair.b}, {a.first, pair.b}});
-      } else {
-        stack.insert(stack.end(), {{pair.a, b.first + 1}, {pair.a, b.first}});
-      }
-    }
-    std::sort(found.pairs.begin(), found.pairs.end());
-    return found;
-  };
+  return asked(in_floats(build_sah(shapes.a, 8, 16)), in_floats(build_sah(shapes.b, 8, 16)),
+               shapes);
 }
 
 /// Eight children a node, tested at once.

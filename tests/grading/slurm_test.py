@@ -101,7 +101,8 @@ class Slurm(ClassTestCase):
         return self.run_tool("bash", self.kit.root / BUNDLE / "submit.sh", *options)
 
     def wait_for_jobs(self) -> None:
-        self.wait_for(lambda: not self.run_tool("squeue", "-h").stdout.strip(), "the last job")
+        self.wait_for(lambda: not self.run_tool("squeue", "-h").stdout.strip(), "the last job",
+                      seconds=300.0)
 
     def test_three_parts_make_one_class(self) -> None:
         for i in range(10):

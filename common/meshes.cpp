@@ -12,7 +12,8 @@ std::uint32_t count(std::size_t number) { return static_cast<std::uint32_t>(numb
 
 /// The largest k with factor k² ≤ triangles.
 std::size_t side(std::size_t triangles, std::size_t factor, std::size_t least) {
-  auto k = static_cast<std::size_t>(std::sqrt(static_cast<double>(triangles / factor)));
+  const std::size_t squares = triangles / factor;
+  auto k = static_cast<std::size_t>(std::sqrt(static_cast<double>(squares)));
   while (factor * (k + 1) * (k + 1) <= triangles) ++k;
   return std::max(k, least);
 }
@@ -40,7 +41,7 @@ void add_side(TriangleMesh& mesh, std::size_t k, const Vec3& u, const Vec3& v) {
       const double t =
           std::tan(turn / 8.0 * (2.0 * static_cast<double>(j) / static_cast<double>(k) - 1.0));
       const Vec3 direction = (outward + s * u + t * v).normalized();
-      mesh.vertices.push_back((1.0 + 0.1 * bump(direction)) * direction);
+      mesh.vertices.emplace_back((1.0 + 0.1 * bump(direction)) * direction);
     }
   }
   for (std::uint32_t i = 0; i < k; ++i) {
@@ -130,8 +131,8 @@ TriangleMesh clusters(std::size_t triangles) {
     const Vec3 corner = size * Vec3(2.0 + 0.5 * std::cos(angle), 1.0 + 0.5 * std::sin(angle), 1.0);
     const std::uint32_t first = count(mesh.vertices.size());
     mesh.vertices.push_back(corner);
-    mesh.vertices.push_back(corner + size * Vec3(0.1, 0.0, 0.05));
-    mesh.vertices.push_back(corner + size * Vec3(0.0, 0.1, 0.05));
+    mesh.vertices.emplace_back(corner + size * Vec3(0.1, 0.0, 0.05));
+    mesh.vertices.emplace_back(corner + size * Vec3(0.0, 0.1, 0.05));
     mesh.triangles.push_back({first, first + 1, first + 2});
   }
   return mesh;
@@ -144,8 +145,8 @@ TriangleMesh diagonal_slivers(std::size_t triangles) {
     const Vec3 start = static_cast<double>(i) * step;
     const std::uint32_t first = count(mesh.vertices.size());
     mesh.vertices.push_back(start);
-    mesh.vertices.push_back(start + 0.5 * step);
-    mesh.vertices.push_back(start + Vec3::Ones());
+    mesh.vertices.emplace_back(start + 0.5 * step);
+    mesh.vertices.emplace_back(start + Vec3::Ones());
     mesh.triangles.push_back({first, first + 1, first + 2});
   }
   return mesh;

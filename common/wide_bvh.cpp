@@ -52,9 +52,11 @@ class BoxMap {
         half[k] = 0.5F * (high - low);
       }
       for (std::size_t k = 0; k < 3; ++k) {
+        constexpr std::size_t columns = turned ? 3 : 1;
         Floats c = Floats{} + shift_[k];
         Floats h = Floats{} + margin_;
-        for (std::size_t l = turned ? 0 : k; l < (turned ? 3 : k + 1); ++l) {
+        for (std::size_t i = 0; i < columns; ++i) {
+          const std::size_t l = (k + i) % 3;
           c += matrix_[k][l] * centre[l];
           h += std::abs(matrix_[k][l]) * half[l];
         }

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "common/wide_bvh.hpp"
 
@@ -83,6 +84,22 @@ Plane best_plane(const Bins& all) {
   return best;
 }
 
+/// From where to where the corners of some entries are along n, from a centre.
+template <typename Entries>
+std::pair<double, double> reach(const Entries& entries, std::size_t begin, std::size_t end,
+                                const Vec3& n, const Vec3& centre) {
+  double from = std::numeric_limits<double>::infinity();
+  double to = -from;
+  for (std::size_t i = begin; i < end; ++i) {
+    for (const Vec3& corner : entries[i].corners) {
+      const double place = n.dot(corner - centre);
+      from = std::min(from, place);
+      to = std::max(to, place);
+    }
+  }
+  return {from, to};
+}
+
 /// To which bins a place belongs, by axis.
 struct Binning {
   Quad low, factor;
@@ -106,8 +123,8 @@ class WideBvhBuilder {
     parts[0] = range;
     std::size_t size = 1;
     while (size < parts.size()) {
-      const auto end = parts.begin() + static_cast<std::ptrdiff_t>(size);
-      const auto largest = std::max_element(parts.begin(), end, [](const Range& a, const Range& b) {
+      auto* const end = parts.data() + size;
+      auto* const largest = std::max_element(parts.data(), end, [](const Range& a, const Range& b) {
         return worth_cutting(a) < worth_cutting(b);
       });
       if (largest->count() <= WideBvh::width) break;
@@ -265,15 +282,7 @@ void WideBvh::lay_slabs(std::uint32_t child, std::size_t& end) {
   Eigen::Map<Eigen::Vector3f>(node.normal.data()) = normal;
   const Vec3 n = scale_ * normal.cast<double>();
   for (std::size_t i = 0; i < node.size; ++i) {
-    double from = std::numeric_limits<double>::infinity();
-    double to = -from;
-    for (std::size_t k = bounds[i]; k < bounds[i + 1]; ++k) {
-      for (const Vec3& corner : entries_[k].corners) {
-        const double place = n.dot(corner - centre_);
-        from = std::min(from, place);
-        to = std::max(to, place);
-      }
-    }
+    const auto [from, to] = reach(entries_, bounds[i], bounds[i + 1], n, centre_);
     node.from[i] = static_cast<float>(from);
     node.to[i] = static_cast<float>(to);
     node.all_from = i == 0 ? node.from[i] : std::min(node.all_from, node.from[i]);

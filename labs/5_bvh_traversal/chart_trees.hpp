@@ -99,8 +99,10 @@ inline Bvh in_floats(Bvh bvh) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   for (BvhNode& node : bvh.nodes) {
     for (Eigen::Index i = 0; i < 3; ++i) {
-      node.box.low[i] = double{std::nextafter(static_cast<float>(node.box.low[i]), -infinity)};
-      node.box.high[i] = double{std::nextafter(static_cast<float>(node.box.high[i]), infinity)};
+      node.box.low[i] =
+          static_cast<double>(std::nextafter(static_cast<float>(node.box.low[i]), -infinity));
+      node.box.high[i] =
+          static_cast<double>(std::nextafter(static_cast<float>(node.box.high[i]), infinity));
     }
   }
   return bvh;

@@ -28,7 +28,7 @@ Triangles triangles_of(const TriangleMesh& mesh, const RigidTransform& pose) {
 struct CountingTraits : CGAL::AABB_traits<Kernel, Primitive> {
   using Base = CGAL::AABB_traits<Kernel, Primitive>;
 
-  struct Do_intersect : Base::Do_intersect {
+  struct Do_intersect : Base::Do_intersect {  // NOLINT(readability-identifier-naming): CGAL's
     Do_intersect(const CountingTraits& traits, std::uint64_t& tests)
         : Base::Do_intersect(traits), count(&tests) {}
     using Base::Do_intersect::operator();

@@ -103,7 +103,7 @@ std::string measured(const Tori& tori, std::vector<std::string>& missing) {
     if (!query) return "";
     if (query->pairs.size() >= most.pairs.size()) most = *query;
   }
-  const double pairs =
+  const auto pairs =
       static_cast<double>(tori[0].mesh.triangles.size() * tori[1].mesh.triangles.size());
   char line[160];
   std::snprintf(line, sizeof line,

@@ -47,36 +47,45 @@ struct Level {
   std::vector<std::size_t> box_of_triangle;  ///< boxes.size() for one that no leaf has
 };
 
+/// Per node: its depth, or -1 where no parent leads to it, and the drawn box that it is in.
+struct Place {
+  int depth = -1;
+  std::size_t box = 0;
+};
+
 /// Children stand behind their parent, so a pass from front to back knows all parents.
-inline Level level_of(const Bvh& bvh, std::size_t triangles) {
-  struct Place {
-    int depth = -1;
-    std::size_t box = 0;
-  };
+inline std::vector<Place> places_of(const Bvh& bvh, std::vector<Box>& boxes) {
   std::vector<Place> places(bvh.nodes.size());
-  Level level;
-  std::vector<std::size_t> owners(triangles, SIZE_MAX);
-  for (std::size_t i = 0; i < bvh.nodes.size(); ++i) {
+  if (!places.empty()) places[0].depth = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
     const BvhNode& node = bvh.nodes[i];
     Place& place = places[i];
-    if (i == 0) place.depth = 0;
     if (place.depth < 0) continue;
     if (place.depth == drawn_level || (place.depth < drawn_level && node.count > 0)) {
-      place.box = level.boxes.size();
-      level.boxes.push_back(node.box);
+      place.box = boxes.size();
+      boxes.push_back(node.box);
     }
     const std::size_t first = node.first;
-    if (node.count == 0 && first > i && first + 1 < bvh.nodes.size()) {
+    if (node.count == 0 && first > i && first + 1 < places.size()) {
       places[first] = places[first + 1] = {place.depth + 1, place.box};
     }
-    const std::size_t end = std::min(first + node.count, bvh.triangles.size());
+  }
+  return places;
+}
+
+inline Level level_of(const Bvh& bvh, std::size_t triangles) {
+  Level level;
+  const std::vector<Place> places = places_of(bvh, level.boxes);
+  level.box_of_triangle.assign(triangles, level.boxes.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (places[i].depth < 0) continue;
+    const std::size_t first = bvh.nodes[i].first;
+    const std::size_t end = std::min(first + bvh.nodes[i].count, bvh.triangles.size());
     for (std::size_t entry = first; entry < end; ++entry) {
       const std::size_t triangle = bvh.triangles[entry];
-      if (triangle < triangles) owners[triangle] = place.box;
+      if (triangle < triangles) level.box_of_triangle[triangle] = places[i].box;
     }
   }
-  for (std::size_t& owner : owners) owner = std::min(owner, level.boxes.size());
-  level.box_of_triangle = owners;
   return level;
 }
 

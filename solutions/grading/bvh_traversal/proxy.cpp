@@ -33,6 +33,7 @@ Bvh build_sah(const TriangleMesh& mesh, int leaf_size, int bins) {
 Intersections find_intersections_moved(const Bvh& a, const Bvh& b, const RigidTransform& a_from_b) {
   return remote<&bvh_traversal::find_intersections_moved>(a, b, a_from_b);
 }
+// NOLINTNEXTLINE(performance-unnecessary-value-param): the contract's
 Bvh refit(Bvh bvh, const TriangleMesh& deformed) {
   return remote<&bvh_traversal::refit>(bvh, deformed);
 }

@@ -67,7 +67,7 @@ ImpactStep step_to_impact(const Particle& particle, const Obstacle& obstacle,
                           int max_impacts) {
   // TODO step 6.4, eq. (6)
   // 1. Check the arguments.
-  // 2. While some of the step is left: where φ ≤ 0 and v_n ≤ 0 leave the loop.
+  // 2. Again and again, each time first: where φ ≤ 0 and v_n ≤ 0 leave the loop.
   // 3. common::time_of_impact of the flight from here: none, then fly to the end and return.
   // 4. Else fly to it (common::position_at, velocity_at), apply both impulses, write it down.
   // 5. Leave the loop where e = 0 or max_impacts are done: bounces may never end.

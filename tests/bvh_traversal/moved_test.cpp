@@ -116,8 +116,8 @@ TEST_CASE("Smooth meshes under random motions give the pairs of brute force", "[
   const TriangleMesh torus = common::bumpy_torus(400);
   const TriangleMesh sphere = common::bumpy_sphere(300);
   for (int i = 1; i <= 6; ++i) {
-    expect_moved(torus, i % 2 == 0 ? torus : sphere, random_transform(random, 0.7), 1 + i % 4, i,
-                 6);
+    expect_moved(torus, i % 2 == 0 ? torus : sphere, random_transform(random, 0.7),
+                 static_cast<std::size_t>(1 + i % 4), i, 6);
   }
 }
 

@@ -65,6 +65,14 @@ TEST_CASE("One bounce within a step is worked by hand", "[6.4]") {
       .expect(step.impacts.front().time, 0.5, {4.0 * eps, "as common::time_of_impact has it"});
 }
 
+TEST_CASE("What is inside and parts stays where it is in no time", "[6.4]") {
+  StepInput in = worked_by_hand();
+  in.particle.position.z() = -0.01;
+  in.particle.velocity.z() = 1.0;
+  in.dt = 0.0;
+  tests::expect_impact_step(in, 5);
+}
+
 TEST_CASE("A flight that meets nothing is the parabola", "[6.4]") {
   tests::Random random(661);
   for (int i = 1; i <= 20; ++i) {

@@ -95,10 +95,11 @@ std::string measured(const std::optional<Pour>& pour, const std::optional<Tumble
   std::string text;
   char line[200];
   if (pour) {
-    std::snprintf(line, sizeof line,
-                  "%.1f million particle-steps, none ends more than %.1g m inside",
-                  1e-6 * static_cast<double>(pour->steps), pour->deepest);
+    std::snprintf(line, sizeof line, "%.1f million particle-steps, none ends ",
+                  1e-6 * static_cast<double>(pour->steps));
     text += line;
+    std::snprintf(line, sizeof line, "more than %.1g m inside", pour->deepest);
+    text += pour->deepest > 0.0 ? line : "inside";
   }
   if (tumble && !tumble->impacts.empty()) {
     std::snprintf(

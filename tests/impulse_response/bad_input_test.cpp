@@ -35,7 +35,7 @@ std::vector<BadNumber> below_zero() {
       {-0.01, "it is not below zero"}, {not_a_number, "it is NaN"}, {infinite, "it is infinite"}};
 }
 std::vector<Vec3> no_normals() {
-  return {Vec3::Zero(), Vec3(0.0, 0.0, 1.001), Vec3(0.0, 0.0, not_a_number), infinite_vector};
+  return {Vec3::Zero(), Vec3(0.0, 0.0, 1.0 + 3e-9), Vec3(0.0, 0.0, not_a_number), infinite_vector};
 }
 
 /// A call with one argument that is to be refused.
@@ -57,13 +57,12 @@ void refuse(const std::string& function, const std::vector<Vec3>& vectors, const
 const char* const unit_normal = "a normal is of length one";
 const char* const must_be_finite = "it is NaN or infinite";
 
-/// Every input of a step that must be refused, given to `call`.
+/// Every input of a step that must be refused, given to `call`: the good one with one thing wrong.
 template <typename Call>
-void refuse_steps(const std::string& function, const Call& call) {
+void refuse_steps(const std::string& function, const tests::StepInput& good, const Call& call) {
   const auto refused = [&](const tests::StepInput& in, const std::string& why) {
     tests::step_trial(function, in).expect_throw([&] { return call(in); }, why);
   };
-  const tests::StepInput good;
   const auto with = [&](const auto& change) {
     tests::StepInput in = good;
     change(in);
@@ -94,8 +93,16 @@ void refuse_steps(const std::string& function, const Call& call) {
   }
 }
 
+/// What meets nothing in the step.
+tests::StepInput in_flight() {
+  tests::StepInput in;
+  in.particle.position = up;
+  in.particle.velocity = up;
+  return in;
+}
+
 std::vector<RigidBody> no_bodies() {
-  std::vector<RigidBody> bodies(9);
+  std::vector<RigidBody> bodies(10);
   bodies[0].inverse_mass = -1.0;
   bodies[1].inverse_mass = not_a_number;
   bodies[2].inverse_mass = infinite;
@@ -105,6 +112,8 @@ std::vector<RigidBody> no_bodies() {
   bodies[6].inverse_inertia(1, 1) = not_a_number;
   bodies[7].inverse_inertia(0, 1) = 0.1;  // not symmetric
   bodies[8].inverse_inertia(2, 2) = -1.0;
+  bodies[9].inverse_inertia *= 1e-6;
+  bodies[9].inverse_inertia(0, 1) = 1e-10;  // 1e-4 of the largest entry
   return bodies;
 }
 
@@ -122,27 +131,32 @@ void refuse_bodies(const std::string& function, const Call& call) {
 
 }  // namespace
 
+// Each also where there is nothing to do: a shorter way must not lead past the checks.
+
 TEST_CASE("A normal impulse of bad input is refused", "[6.1]") {
   const std::string f = "6.1 normal_impulse";
-  refuse(f, no_mass(), "mass", [](double m) { return normal_impulse(m, -up, up, 0.5); });
-  refuse(f, no_restitution(), "restitution",
-         [](double e) { return normal_impulse(1.0, -up, up, e); });
-  refuse(f, no_normals(), "normal", unit_normal,
-         [](const Vec3& n) { return normal_impulse(1.0, -up, n, 0.5); });
+  for (const Vec3& v : {Vec3(-up), up}) {
+    refuse(f, no_mass(), "mass", [&](double m) { return normal_impulse(m, v, up, 0.5); });
+    refuse(f, no_restitution(), "restitution",
+           [&](double e) { return normal_impulse(1.0, v, up, e); });
+    refuse(f, no_normals(), "normal", unit_normal,
+           [&](const Vec3& n) { return normal_impulse(1.0, v, n, 0.5); });
+  }
   refuse(f, {nan_vector, infinite_vector}, "velocity", must_be_finite,
          [](const Vec3& v) { return normal_impulse(1.0, v, up, 0.5); });
 }
 
 TEST_CASE("Friction of bad input is refused", "[6.2]") {
   const std::string f = "6.2 friction_impulse";
-  const Vec3 v(1.0, 0.0, -1.0);
-  refuse(f, no_mass(), "mass", [&](double m) { return friction_impulse(m, v, up, 1.0, 0.5); });
-  refuse(f, below_zero(), "normal_impulse",
-         [&](double j) { return friction_impulse(1.0, v, up, j, 0.5); });
-  refuse(f, below_zero(), "friction",
-         [&](double mu) { return friction_impulse(1.0, v, up, 1.0, mu); });
-  refuse(f, no_normals(), "normal", unit_normal,
-         [&](const Vec3& n) { return friction_impulse(1.0, v, n, 1.0, 0.5); });
+  for (const Vec3& v : {Vec3(1.0, 0.0, -1.0), Vec3(-up)}) {
+    refuse(f, no_mass(), "mass", [&](double m) { return friction_impulse(m, v, up, 1.0, 0.5); });
+    refuse(f, below_zero(), "normal_impulse",
+           [&](double j) { return friction_impulse(1.0, v, up, j, 0.5); });
+    refuse(f, below_zero(), "friction",
+           [&](double mu) { return friction_impulse(1.0, v, up, 1.0, mu); });
+    refuse(f, no_normals(), "normal", unit_normal,
+           [&](const Vec3& n) { return friction_impulse(1.0, v, n, 1.0, 0.5); });
+  }
   refuse(f, {nan_vector, infinite_vector}, "velocity", must_be_finite,
          [&](const Vec3& u) { return friction_impulse(1.0, u, up, 1.0, 0.5); });
 }
@@ -153,31 +167,42 @@ TEST_CASE("Corrections of bad input are refused", "[6.3]") {
   refuse(f,
          {{not_a_number, must_be_finite}, {infinite, must_be_finite}, {-infinite, must_be_finite}},
          "gap", [](double gap) { return normal_correction(gap, up); });
-  refuse(f, no_normals(), "normal", unit_normal,
-         [](const Vec3& n) { return normal_correction(-1.0, n); });
-  refuse(g, no_normals(), "normal", unit_normal,
-         [](const Vec3& n) { return tangential_correction(Vec3::UnitX(), n, 1.0, 0.5); });
+  for (const double gap : {-1.0, 1.0}) {
+    refuse(f, no_normals(), "normal", unit_normal,
+           [&](const Vec3& n) { return normal_correction(gap, n); });
+  }
+  for (const Vec3& d : {Vec3(Vec3::UnitX()), Vec3(Vec3::Zero())}) {
+    refuse(g, no_normals(), "normal", unit_normal,
+           [&](const Vec3& n) { return tangential_correction(d, n, 1.0, 0.5); });
+    refuse(g, below_zero(), "normal_length",
+           [&](double length) { return tangential_correction(d, up, length, 0.5); });
+    refuse(g, below_zero(), "friction",
+           [&](double mu) { return tangential_correction(d, up, 1.0, mu); });
+  }
   refuse(g, {nan_vector, infinite_vector}, "displacement", must_be_finite,
          [](const Vec3& d) { return tangential_correction(d, up, 1.0, 0.5); });
-  refuse(g, below_zero(), "normal_length",
-         [](double d) { return tangential_correction(Vec3::UnitX(), up, d, 0.5); });
-  refuse(g, below_zero(), "friction",
-         [](double mu) { return tangential_correction(Vec3::UnitX(), up, 1.0, mu); });
 }
 
 TEST_CASE("A step by projection of bad input is refused", "[6.4]") {
-  refuse_steps("step_by_projection",
-               [](const auto& in) { return tests::projected_by_answer(in).position; });
+  for (const tests::StepInput& good : {tests::StepInput(), in_flight()}) {
+    refuse_steps("step_by_projection", good,
+                 [](const auto& in) { return tests::projected_by_answer(in).position; });
+  }
 }
 
 TEST_CASE("A step to impact of bad input is refused", "[6.4]") {
-  refuse_steps("step_to_impact",
-               [](const auto& in) { return tests::impact_step_by_answer(in, 3).step.position; });
-  for (const int max_impacts : {0, -1}) {
-    tests::step_trial("step_to_impact", {})
-        .given("max_impacts", max_impacts)
-        .expect_throw([&] { return tests::impact_step_by_answer({}, max_impacts).step.position; },
-                      "max_impacts is at least 1");
+  for (const tests::StepInput& good : {tests::StepInput(), in_flight()}) {
+    refuse_steps("step_to_impact", good,
+                 [](const auto& in) { return tests::impact_step_by_answer(in, 3).step.position; });
+    for (const int max_impacts : {0, -1}) {
+      tests::step_trial("step_to_impact", good)
+          .given("max_impacts", max_impacts)
+          .expect_throw(
+              [&, most = max_impacts] {
+                return tests::impact_step_by_answer(good, most).step.position;
+              },
+              "max_impacts is at least 1");
+    }
   }
 }
 

@@ -26,6 +26,7 @@ std::vector<tests::Suspect<double>> normal_suspects(const NormalCase& c) {
   const double e = c.restitution;
   return {{v_n < 0.0 ? 0.0 : (1.0 + e) * m * v_n,
            "the normal is taken the other way round: what parts gets an impulse"},
+          {0.0, "there is no impulse at all"},
           {-(1.0 + e) * m * v_n, "the impulse of a particle that parts is not skipped"},
           {v_n < 0.0 ? -e * m * v_n : 0.0, "e stands where 1 + e belongs"},
           {v_n < 0.0 ? -(1.0 - e) * m * v_n : 0.0, "1 - e stands where 1 + e belongs"},

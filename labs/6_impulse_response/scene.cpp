@@ -1,9 +1,8 @@
 // Left, ten thousand particles pour on the cylinder, stepped by option 2. Right, a brick hits its
 // top with one corner and tumbles away: the impulse of an impact between two rigid bodies.
-#include <array>
-#include <bit>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "render/film.hpp"
 #include "scene_brick.hpp"
@@ -18,6 +17,7 @@ constexpr double slides = 0.3 * particle_mass;  // no impact is weaker, no step 
 constexpr double hits_hard = 3.0 * particle_mass;
 constexpr std::size_t simulated_for_one_drawn = 6;
 constexpr double foot = -1.5;
+const Vec3 towards_eye(0.25, -2.2, 0.75);
 
 void add_cylinder(render::Scene& scene) {
   scene.cylinders.push_back({{{-0.1, 0.0, 0.0}, render::z_along_x},
@@ -32,20 +32,18 @@ render::Colour colour_of(const Grain& grain) {
   return grain.impulse < hits_hard ? palette::orange : palette::vermilion;
 }
 
-/// An octahedron with smooth normals: ten thousand spheres would have a hundred times the
-/// triangles.
+/// A dome towards the eye, whose outline is round: ten thousand spheres would have ten times the
+/// triangles, half of them on the far side.
 void add_grain(render::Mesh& mesh, const Vec3& position) {
-  const int first = static_cast<int>(mesh.vertices.size());
-  for (int axis = 0; axis < 3; ++axis) {
-    mesh.vertices.emplace_back(position + grain_radius * Vec3::Unit(axis));
-    mesh.vertices.emplace_back(position - grain_radius * Vec3::Unit(axis));
-  }
-  for (int octant = 0; octant < 8; ++octant) {
-    const int x = first + (octant & 1);
-    const int y = first + 2 + (octant >> 1 & 1);
-    const int z = first + 4 + (octant >> 2 & 1);
-    const bool is_mirrored = std::popcount(static_cast<unsigned>(octant)) % 2 == 1;
-    mesh.triangles.push_back(is_mirrored ? std::array{x, z, y} : std::array{x, y, z});
+  static const Mat3 turn = render::z_axis_towards(towards_eye);
+  constexpr int sides = 8;
+  const int apex = static_cast<int>(mesh.vertices.size());
+  mesh.vertices.emplace_back(position + grain_radius * turn.col(2));
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / sides;
+    mesh.vertices.emplace_back(
+        position + grain_radius * (std::cos(angle) * turn.col(0) + std::sin(angle) * turn.col(1)));
+    mesh.triangles.push_back({apex, apex + 1 + i, apex + 1 + (i + 1) % sides});
   }
 }
 
@@ -123,7 +121,7 @@ render::Film make_film() {
   film.duration = duration;
   film.strip_times = {0.6, 1.2, 2.0, 3.2};
   film.bounds = {{-3.0, -2.3, -1.5}, {2.8, 0.9, 2.9}};
-  film.towards_eye = {0.25, -2.2, 0.75};
+  film.towards_eye = towards_eye;
 
   const std::optional<Pour> pour = poured(film.missing);
   const std::optional<Tumble> tumble = tumbled(film.missing);

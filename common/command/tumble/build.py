@@ -29,7 +29,7 @@ def build_folder(root: Path, preset: str) -> Path:
 
 
 def configure(root: Path, preset: str, again: bool = False) -> None:
-    """Runs CMake where it has not run yet; from then on ninja runs it again when it must."""
+    """Runs CMake where it has not run yet, or again; else ninja runs it again when it must."""
     folder = build_folder(root, preset)
     is_configured = (folder / "build.ninja").exists() and _configured_for(folder) == str(root)
     if is_configured and not again:
@@ -38,10 +38,12 @@ def configure(root: Path, preset: str, again: bool = False) -> None:
         if not shutil.which(tool):
             raise Failure(f"{tool} is missing: install {package}, or let ./tumble demo do it "
                           "(./tumble doctor says what else is needed)")
+    # A fresh start would also make the precompiled headers anew, and all that is built with them.
+    start = [] if is_configured else ["--fresh"]
     with Progress() as progress:
         progress.show(f"configuring build/{preset}")
         done = subprocess.run(
-            ["cmake", "--preset", preset, "--fresh"], cwd=root, text=True, errors="replace",
+            ["cmake", "--preset", preset, *start], cwd=root, text=True, errors="replace",
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     if done.returncode != 0:
         raise Failure(f"CMake cannot configure build/{preset}; see ./tumble doctor",

@@ -16,4 +16,8 @@ struct RigidTransform {
 Vec3 transformed(const RigidTransform& transform, const Vec3& point);
 Triangle transformed(const RigidTransform& transform, const Triangle& triangle);
 
+/// Throws std::invalid_argument where an entry is NaN or infinite; `name` is what the caller calls
+/// the transform.
+void require_finite(const RigidTransform& transform, const char* name);
+
 }  // namespace common

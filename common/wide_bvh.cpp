@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <stdexcept>
 
 #include "common/lanes.hpp"
 #include "common/triangle_lanes.hpp"
@@ -274,9 +273,7 @@ WideIntersections find_intersections(const WideBvh& a, const WideBvh& b,
 
 WideIntersections find_intersections(const WideBvh& a, const WideBvh& b,
                                      const RigidTransform& a_from_b, TrianglesMeet triangles_meet) {
-  if (!a_from_b.rotation.allFinite() || !a_from_b.translation.allFinite()) {
-    throw std::invalid_argument("a_from_b: an entry is not finite");
-  }
+  require_finite(a_from_b, "a_from_b");
   return Query<true>(a, b, a_from_b, triangles_meet).run();
 }
 

@@ -527,9 +527,7 @@ class MovedOverlap {
 }  // namespace
 
 Intersections find_intersections_moved(const Bvh& a, const Bvh& b, const RigidTransform& a_from_b) {
-  if (!a_from_b.rotation.allFinite() || !a_from_b.translation.allFinite()) {
-    throw std::invalid_argument("a_from_b: an entry is not finite");
-  }
+  common::require_finite(a_from_b, "a_from_b");
   const auto move = [&](const Triangle& corners) { return common::transformed(a_from_b, corners); };
   LeafTest test(a, b, move);
   test.found.box_tests = for_each_pair_of_leaves(a, b, MovedOverlap(a, b, a_from_b), test);

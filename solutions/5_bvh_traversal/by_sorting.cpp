@@ -324,9 +324,7 @@ Bvh build_sah(const TriangleMesh& mesh, int leaf_size, int bins) {
 // ---- Step 5.7 ----
 
 Intersections find_intersections_moved(const Bvh& a, const Bvh& b, const RigidTransform& a_from_b) {
-  if (!a_from_b.rotation.allFinite() || !a_from_b.translation.allFinite()) {
-    throw std::invalid_argument("a_from_b: an entry is not finite");
-  }
+  common::require_finite(a_from_b, "a_from_b");
   // Rounded sums and products rise where their operands do. So the eight moved corners of a box
   // hold every moved point of it, rounded like them: no margin is needed.
   std::vector<Box> moved;

@@ -17,20 +17,8 @@ inline lab::Box joined(const lab::Box& a, const lab::Box& b) {
 
 inline std::vector<Item> items_below(const lab::Bvh& bvh, const Shape& shape, std::size_t node) {
   std::vector<Item> items;
-  std::vector<std::size_t> stack{node};
-  items.reserve(shape.below[node]);
-  while (!stack.empty()) {
-    const lab::BvhNode& top = bvh.nodes[stack.back()];
-    stack.pop_back();
-    if (!is_leaf(top)) {
-      stack.push_back(top.first);
-      stack.push_back(top.first + 1);
-      continue;
-    }
-    for (std::size_t i = top.first; i < top.first + top.count; ++i) {
-      const common::Triangle& t = bvh.corners[i];
-      items.push_back({box_around(bvh.corners, i, 1), (t[0] + t[1] + t[2]) / 3.0});
-    }
+  for (const std::size_t i : entries_below(bvh, shape, node)) {
+    items.push_back({box_around(bvh.corners, i, 1), centroid(bvh.corners[i])});
   }
   return items;
 }

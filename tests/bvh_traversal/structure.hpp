@@ -136,12 +136,12 @@ inline Shape expect_structure(const Trial& trial, const lab::Bvh& bvh,
   return shape;
 }
 
-inline std::vector<Vec3> centroids_below(const lab::Bvh& bvh, const Shape& shape,
-                                         std::size_t node) {
-  // A node's entries are those of its leaves, in whichever order these stand.
-  std::vector<Vec3> centroids;
+/// Entries of the leaves below a node, in whichever order these stand.
+inline std::vector<std::size_t> entries_below(const lab::Bvh& bvh, const Shape& shape,
+                                              std::size_t node) {
+  std::vector<std::size_t> entries;
   std::vector<std::size_t> stack{node};
-  centroids.reserve(shape.below[node]);
+  entries.reserve(shape.below[node]);
   while (!stack.empty()) {
     const lab::BvhNode& top = bvh.nodes[stack.back()];
     stack.pop_back();
@@ -150,10 +150,18 @@ inline std::vector<Vec3> centroids_below(const lab::Bvh& bvh, const Shape& shape
       stack.push_back(top.first + 1);
       continue;
     }
-    for (std::size_t i = top.first; i < top.first + top.count; ++i) {
-      const common::Triangle& t = bvh.corners[i];
-      centroids.push_back((t[0] + t[1] + t[2]) / 3.0);
-    }
+    for (std::size_t i = top.first; i < top.first + top.count; ++i) entries.push_back(i);
+  }
+  return entries;
+}
+
+inline Vec3 centroid(const common::Triangle& t) { return (t[0] + t[1] + t[2]) / 3.0; }
+
+inline std::vector<Vec3> centroids_below(const lab::Bvh& bvh, const Shape& shape,
+                                         std::size_t node) {
+  std::vector<Vec3> centroids;
+  for (const std::size_t i : entries_below(bvh, shape, node)) {
+    centroids.push_back(centroid(bvh.corners[i]));
   }
   return centroids;
 }

@@ -19,7 +19,8 @@ from unittest import mock
 
 from tumble.grading import cases, sandbox
 from tumble.grading.compiling import tools
-from tumble.grading.judge import Judged, judge
+from tumble.grading.judge import judge
+from tumble.grading.verdicts import Judged
 from tumble.labs import find_lab
 
 from box import box_or_skip

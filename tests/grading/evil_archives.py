@@ -9,7 +9,6 @@ import os
 import struct
 import tarfile
 import zipfile
-import zlib
 from pathlib import Path
 from typing import Callable
 

@@ -12,8 +12,9 @@ import unittest
 from pathlib import Path
 from typing import NamedTuple, Sequence
 
-from tumble.grading.judge import Judged, judge
+from tumble.grading.judge import judge
 from tumble.grading.points import expected_cases
+from tumble.grading.verdicts import Judged
 from tumble.labs import Lab, find_labs
 
 from box import box_or_skip

@@ -1,7 +1,6 @@
 """./tumble grade proves itself first; what it writes is whole, safe and the same each time."""
 
 import csv
-import json
 import unittest
 
 from class_kit import ALL, ClassTestCase, snapshot

@@ -11,27 +11,11 @@ import re
 import subprocess
 import time
 from pathlib import Path
-from typing import NamedTuple, Sequence
+from typing import Sequence
+
+from .verdicts import CaseOutcome, Judged
 
 CASES = ("One", "Two & <b>three</b>")
-
-
-class CaseOutcome(NamedTuple):
-    step: str
-    case: str
-    word: str
-    detail: str
-    likely: str
-    seconds: float
-
-
-class Judged(NamedTuple):
-    compiled: bool
-    diagnostics: str
-    cases: list
-    sanitizer: str
-    notes: list
-    sandboxed: bool
 
 
 def judge(root: Path, lab, source: bytes, work: Path, seeds: Sequence[int], sandbox,

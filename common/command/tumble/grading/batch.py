@@ -17,8 +17,9 @@ from .intake import Submission, Taken, take
 from .judge import judge
 from .points import Table, expected_cases, read_table
 from .sandbox import Sandbox
-from .score import (GRADER_ERROR, MISSING, NOT_WRITTEN, PASS, REFUSED, LabResult, graded, ungraded)
+from .score import MISSING, REFUSED, LabResult, graded, ungraded
 from .seeds import lab_seeds, mark
+from .verdicts import GRADER_ERROR, NOT_WRITTEN, PASS
 
 NOT_PROVEN = 3
 """The exit code where the grader itself is not to be trusted."""

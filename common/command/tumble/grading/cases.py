@@ -17,16 +17,8 @@ from typing import NamedTuple, Sequence
 from .. import ctest, outcome
 from ..console import Failure
 from .compiling import Tools
-
-PASS = "pass"
-WRONG = "wrong"
-NOT_WRITTEN = "not written yet"
-BLOCKED = "blocked by step "
-CRASH = "crash with signal"
-TIME_OUT = "time out"
-OUT_OF_MEMORY = "out of memory"
-FLOOD = "flood"
-GRADER_ERROR = "grader error"
+from .verdicts import (BLOCKED, CRASH, FLOOD, GRADER_ERROR, NOT_WRITTEN, OUT_OF_MEMORY, PASS,
+                       TIME_OUT, WRONG, CaseOutcome)
 
 _SECONDS = 300
 """A case ends by itself long before: the worker's time is limited, and the rest is trusted."""
@@ -38,17 +30,6 @@ three of a submission have come to no end."""
 _FATE = re.compile(r"^tumble-judge: ([^\n]+)$", re.MULTILINE)
 _STEP = re.compile(r"\d+\.\d+")
 _REPORT = re.compile(r"AddressSanitizer|runtime error:")
-
-
-class CaseOutcome(NamedTuple):
-    """detail: never a number that a test asked with or got; likely: the mistake, where known."""
-
-    step: str
-    case: str
-    word: str
-    detail: str
-    likely: str
-    seconds: float
 
 
 class Run(NamedTuple):
@@ -128,7 +109,7 @@ def _word(step: str, case: ctest.Case) -> tuple[str, str]:
     if case.reason == "Timeout" or case.status in ("notrun", "disabled"):
         return GRADER_ERROR, f"CTest says: {case.reason or case.status}"
     said = outcome.outcome(case)
-    if said.word == outcome.NOT_WRITTEN:
+    if said.word == NOT_WRITTEN:
         other = _STEP.match(said.detail)
         if other and other.group() != step:
             return BLOCKED + other.group(), ""

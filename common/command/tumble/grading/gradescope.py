@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Sequence
 
-from .score import BLOCKED, GRADED, NOT_WRITTEN, PASS, LabResult, StepResult
+from .score import GRADED, LabResult, StepResult
+from .verdicts import BLOCKED, NOT_WRITTEN, PASS
 
 _UNBOXED = "Graded without the sandbox: for a look only."
 

@@ -5,15 +5,16 @@ from __future__ import annotations
 import re
 import subprocess
 from pathlib import Path
-from typing import NamedTuple, Optional, Sequence
+from typing import Optional, Sequence
 
 from ..console import Failure
 from ..labs import Lab
-from .cases import (CRASH, FLOOD, GRADER_ERROR, NOT_WRITTEN, OUT_OF_MEMORY, PASS, TIME_OUT,
-                    CaseOutcome, Run, report_of_sanitizers, run_cases)
+from .cases import Run, report_of_sanitizers, run_cases
 from .compiling import Tools, compile_driver, prepare_kit, tools
 from .points import expected_cases
 from .sandbox import Sandbox
+from .verdicts import (CRASH, FLOOD, GRADER_ERROR, NOT_WRITTEN, OUT_OF_MEMORY, PASS, TIME_OUT,
+                       CaseOutcome, Judged)
 
 _UNSANITIZED = {TIME_OUT, NOT_WRITTEN, OUT_OF_MEMORY, FLOOD, GRADER_ERROR}
 """Cases that the sanitizers have nothing to say of."""
@@ -29,17 +30,6 @@ _ADVICE = (
                                          rb"#\s*include\s*<(?:unistd|fcntl|dlfcn|csignal)")),
     ("the names of the grader", re.compile(rb"\bgrading\b|TUMBLE_|Catch(?:::|2)|/driver")),
 )
-
-
-class Judged(NamedTuple):
-    """notes: for graders alone; cases: each once, the worse of its seeds."""
-
-    compiled: bool
-    diagnostics: str
-    cases: list[CaseOutcome]
-    sanitizer: str
-    notes: list[str]
-    sandboxed: bool
 
 
 def judge(root: Path, lab: Lab, source: bytes, work: Path, seeds: Sequence[int], sandbox: Sandbox,

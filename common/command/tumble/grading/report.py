@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import Sequence
 
 from .gradescope import flaw_line, step_lines
-from .score import GRADED, PASS, LabResult, StepResult
+from .score import GRADED, LabResult, StepResult
+from .verdicts import NOT_WRITTEN, PASS
 
 _HOW = """<footer><p>A step earns its points when every one of its tests passes, twice, each time
 with other random inputs than those of <code>./tumble test</code>. The tests are the same.</p>
@@ -60,7 +61,7 @@ def _bar(steps: Sequence[StepResult]) -> str:
 
 def _step(step: StepResult) -> str:
     done = step.word == PASS
-    sign = "✓" if done else "·" if step.word == "not written yet" else "✗"
+    sign = "✓" if done else "·" if step.word == NOT_WRITTEN else "✗"
     bonus = ' <span class="bonus">bonus</span>' if step.bonus else ""
     lines = step_lines(step)
     more = "".join(f"<li>{_with_likely(line)}</li>" for line in lines[1:])

@@ -3,25 +3,16 @@
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING, Mapping, NamedTuple, Sequence
+from typing import Mapping, NamedTuple, Sequence
 
 from ..labs import Lab
 from .points import FULL, Table
-
-if TYPE_CHECKING:
-    from .judge import CaseOutcome, Judged
-
-PASS = "pass"
-NOT_WRITTEN = "not written yet"
-WORDS = (PASS, NOT_WRITTEN, "wrong", "crash with signal", "time out", "out of memory", "flood",
-         "does not compile", "grader error")
-BLOCKED = "blocked by step "
+from .verdicts import (BLOCKED, CRASH, GRADER_ERROR, NO_BUILD, NOT_WRITTEN, PASS, WORDS,
+                       CaseOutcome, Judged)
 
 GRADED = "graded"
 MISSING = "not handed in"
 REFUSED = "cannot be read"
-NO_BUILD = "does not compile"
-GRADER_ERROR = "grader error"
 SANITIZERS = "sanitizers"
 
 _SIGNAL = re.compile(r"\bSIG[A-Z]{2,6}\b")
@@ -158,7 +149,7 @@ def _cases(outcomes: Sequence[CaseOutcome]) -> list[Case]:
 
 def _signal(outcome: CaseOutcome) -> str:
     match = _SIGNAL.search(outcome.detail)
-    return match.group() if match and outcome.word == "crash with signal" else ""
+    return match.group() if match and outcome.word == CRASH else ""
 
 
 def _word(cases: Sequence[Case], depends_on: Sequence[str], earlier: Mapping[str, str]) -> str:

@@ -12,7 +12,8 @@ from typing import Mapping, Sequence
 from ..labs import Lab
 from .files import RECORDS, csv_text, read_record, write
 from .report import page
-from .score import GRADED, MISSING, PASS, SANITIZERS, LabResult
+from .score import GRADED, MISSING, SANITIZERS, LabResult
+from .verdicts import PASS
 
 _BINS = 10
 Class = Mapping[str, Mapping[str, LabResult]]

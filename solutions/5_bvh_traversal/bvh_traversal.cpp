@@ -65,8 +65,8 @@ Iterator halved(Iterator begin, Iterator end) {
 template <typename Cut>
 class Builder {
  public:
-  Builder(const TriangleMesh& mesh, int leaf_size, const Cut& cut)
-      : leaf_size_(leaf_size), cut_(cut) {
+  Builder(const TriangleMesh& mesh, int leaf_size, Cut cut)
+      : leaf_size_(leaf_size), cut_(std::move(cut)) {
     common::require_sound(mesh);
     if (leaf_size < 1) {
       throw std::invalid_argument("leaf_size: want 1 or more, got " + std::to_string(leaf_size));
@@ -113,7 +113,7 @@ class Builder {
   }
 
   int leaf_size_;
-  const Cut& cut_;
+  Cut cut_;
   Entries entries_;
   Bvh bvh_;
 };
@@ -229,15 +229,26 @@ bool one_side(const Signs& s) {
   return (s[0] > 0 && s[1] > 0 && s[2] > 0) || (s[0] < 0 && s[1] < 0 && s[2] < 0);
 }
 
-/// On which sides of the plane the points are: by plain arithmetic where that is sure, exactly
-/// where it is not.
-Signs sides(const Triangle& plane, const Triangle& points) {
-  const Vec3 e = plane[1] - plane[0];
-  const Vec3 f = plane[2] - plane[0];
-  const Vec3 left(e.y() * f.z(), e.z() * f.x(), e.x() * f.y());
-  const Vec3 right(e.z() * f.y(), e.x() * f.z(), e.y() * f.x());
-  const Vec3 n = left - right;
-  const Vec3 size = left.cwiseAbs() + right.cwiseAbs();
+/// A triangle and its plane, which may be asked for many points.
+struct Facet {
+  explicit Facet(const Triangle& triangle) : corners(triangle) {
+    const Vec3 e = corners[1] - corners[0];
+    const Vec3 f = corners[2] - corners[0];
+    const Vec3 left(e.y() * f.z(), e.z() * f.x(), e.x() * f.y());
+    const Vec3 right(e.z() * f.y(), e.x() * f.z(), e.y() * f.x());
+    n = left - right;
+    size = left.cwiseAbs() + right.cwiseAbs();
+  }
+
+  Triangle corners;
+  Vec3 n;     ///< e × f of the edges e, f from the first corner [m²]
+  Vec3 size;  ///< its products by size, which bound its rounding [m²]
+};
+
+/// On which sides of the facet's plane the points are: by plain arithmetic where that is sure,
+/// exactly where it is not.
+Signs sides(const Facet& facet, const Triangle& points) {
+  const auto& [plane, n, size] = facet;
   Signs signs{};
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3 d = points[i] - plane[0];
@@ -326,13 +337,13 @@ bool are_skew(const Triangle& a, const Triangle& b) {
   return false;
 }
 
-}  // namespace
-
-bool triangles_meet(const Triangle& a, const Triangle& b) {
-  const Signs side_a = sides(b, a);
-  if (one_side(side_a)) return false;
-  const Signs side_b = sides(a, b);
+/// As triangles_meet; most pairs are told apart by the plane of a, which serves several.
+bool meet(const Facet& facet_a, const Triangle& b) {
+  const Triangle& a = facet_a.corners;
+  const Signs side_b = sides(facet_a, b);
   if (one_side(side_b)) return false;
+  const Signs side_a = sides(Facet(b), a);
+  if (one_side(side_a)) return false;
   // A triangle without a plane, a segment or a point, has all points in every plane through it.
   if (!all_zero(side_a) && !all_zero(side_b)) return intervals_overlap(a, side_a, b, side_b);
   if (!all_zero(side_a)) return segment_pierces(a, side_a, b);
@@ -340,28 +351,124 @@ bool triangles_meet(const Triangle& a, const Triangle& b) {
   return !are_skew(a, b) && meet_in_plane(a, b);
 }
 
+}  // namespace
+
+bool triangles_meet(const Triangle& a, const Triangle& b) { return meet(Facet(a), b); }
+
 namespace {
 
-/// The narrow phase: all triangles of a leaf of a with all of a leaf of b, moved before.
-template <typename Move>
+/// A leaf's triangles and their boxes, where they have moved to.
+///
+/// Bounds stand coordinate by coordinate: so a compiler compares several at once.
+struct Leaf {
+  [[nodiscard]] Box box_of_entry(Eigen::Index i) const { return {low.row(i), high.row(i)}; }
+
+  const BvhNode* node = nullptr;
+  const Triangle* corners = nullptr;  ///< by entry
+  std::vector<Triangle> moved;        ///< where they are, unless the tree is at rest
+  Box box;                            ///< the smallest around all of them
+  Eigen::ArrayX3d low, high;          ///< of each one's box: entry by coordinate [m]
+};
+
+/// The leaves of a tree that moves, or does not. A leaf meets several of the other tree, soon one
+/// after the other: so the last few are kept.
+class Leaves {
+ public:
+  /// motion  of the tree; null where it rests
+  Leaves(const Bvh& bvh, const RigidTransform* motion) : bvh_(bvh), motion_(motion), kept_(64) {}
+
+  const Leaf& operator[](const BvhNode& node) {
+    const auto index = static_cast<std::size_t>(&node - bvh_.nodes.data());
+    Leaf& leaf = kept_[index % kept_.size()];
+    if (leaf.node != &node) take(node, leaf);
+    return leaf;
+  }
+
+ private:
+  void take(const BvhNode& node, Leaf& leaf) const {
+    leaf.node = &node;
+    leaf.corners = &bvh_.corners[node.first];
+    if (motion_ != nullptr) {
+      leaf.moved.resize(node.count);
+      for (std::size_t i = 0; i < node.count; ++i) {
+        leaf.moved[i] = common::transformed(*motion_, leaf.corners[i]);
+      }
+      leaf.corners = leaf.moved.data();
+    }
+    leaf.low.resize(node.count, 3);
+    leaf.high.resize(node.count, 3);
+    leaf.box = Box{};
+    for (Eigen::Index i = 0; i < node.count; ++i) {
+      const auto& [p, q, r] = leaf.corners[i];
+      const Vec3 low = p.cwiseMin(q).cwiseMin(r);
+      const Vec3 high = p.cwiseMax(q).cwiseMax(r);
+      leaf.low.row(i) = low;
+      leaf.high.row(i) = high;
+      leaf.box.low = leaf.box.low.cwiseMin(low);
+      leaf.box.high = leaf.box.high.cwiseMax(high);
+    }
+  }
+
+  const Bvh& bvh_;
+  const RigidTransform* motion_;
+  std::vector<Leaf> kept_;
+};
+
+/// Which entries of a leaf have boxes that overlap a box. That cannot be foretold: all are compared
+/// and listed without a branch, as in the traversal.
+class Near {
+ public:
+  void look(const Leaf& leaf, const Box& box) {
+    const std::size_t count = leaf.node->count;
+    if (entries_.size() < count) {
+      entries_.resize(count);
+      is_near_.resize(count);
+    }
+    std::fill_n(is_near_.begin(), count, 1);
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      const double* const low = leaf.low.col(axis).data();
+      const double* const high = leaf.high.col(axis).data();
+      for (std::size_t i = 0; i < count; ++i) {
+        is_near_[i] &= static_cast<std::int64_t>(low[i] <= box.high[axis]) &
+                       static_cast<std::int64_t>(box.low[axis] <= high[i]);
+      }
+    }
+    size_ = 0;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      entries_[size_] = i;
+      size_ += static_cast<std::size_t>(is_near_[i]);
+    }
+  }
+
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+  [[nodiscard]] auto begin() const { return entries_.begin(); }
+  [[nodiscard]] auto end() const { return begin() + static_cast<std::ptrdiff_t>(size_); }
+
+ private:
+  std::vector<std::uint32_t> entries_;
+  std::size_t size_ = 0;               ///< of the entries, that hold
+  std::vector<std::int64_t> is_near_;  ///< 1 or 0, as wide as what is compared
+};
+
+/// The narrow phase: all triangles of a leaf of a with all of a leaf of b.
 class LeafTest {
  public:
-  LeafTest(const Bvh& a, const Bvh& b, const Move& move) : a_(a), b_(b), move_(move) {}
+  LeafTest(const Bvh& a, const Bvh& b, const RigidTransform* a_from_b)
+      : a_(a), b_(b), leaves_a_(a, nullptr), leaves_b_(b, a_from_b) {}
 
-  void operator()(const BvhNode& leaf_a, const BvhNode& leaf_b) {
-    found.triangle_tests += std::uint64_t{leaf_a.count} * leaf_b.count;
-    take(leaf_b);
-    near_.clear();
-    for (const Moved& b : moved_) {
-      if (overlap(leaf_a.box, b.box)) near_.push_back(&b);
-    }
-    if (near_.empty()) return;
-    for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
-      const Box box = box_of(a_.corners[i]);
-      for (const Moved* b : near_) {
-        if (overlap(box, b->box) && triangles_meet(a_.corners[i], b->corners)) {
-          found.pairs.push_back({a_.triangles[i], b->triangle});
-        }
+  void operator()(const BvhNode& node_a, const BvhNode& node_b) {
+    found.triangle_tests += std::uint64_t{node_a.count} * node_b.count;
+    const Leaf& leaf_a = leaves_a_[node_a];
+    const Leaf& leaf_b = leaves_b_[node_b];
+    if (!overlap(leaf_a.box, leaf_b.box)) return;
+    near_a_.look(leaf_a, leaf_b.box);
+    for (const std::uint32_t i : near_a_) {
+      near_b_.look(leaf_b, leaf_a.box_of_entry(i));
+      if (near_b_.empty()) continue;
+      const Facet facet(leaf_a.corners[i]);
+      for (const std::uint32_t j : near_b_) {
+        if (!meet(facet, leaf_b.corners[j])) continue;
+        found.pairs.push_back({a_.triangles[node_a.first + i], b_.triangles[node_b.first + j]});
       }
     }
   }
@@ -369,37 +476,18 @@ class LeafTest {
   Intersections found;
 
  private:
-  struct Moved {
-    Triangle corners;
-    Box box;
-    std::uint32_t triangle;
-  };
-
-  /// Moves the leaf's triangles, unless it is the one of the last call, as it often is.
-  void take(const BvhNode& leaf_b) {
-    if (&leaf_b == taken_) return;
-    taken_ = &leaf_b;
-    moved_.resize(leaf_b.count);
-    for (std::uint32_t i = 0; i < leaf_b.count; ++i) {
-      moved_[i].corners = move_(b_.corners[leaf_b.first + i]);
-      moved_[i].box = box_of(moved_[i].corners);
-      moved_[i].triangle = b_.triangles[leaf_b.first + i];
-    }
-  }
-
   const Bvh& a_;
   const Bvh& b_;
-  const Move& move_;
-  const BvhNode* taken_ = nullptr;
-  std::vector<Moved> moved_;
-  std::vector<const Moved*> near_;  ///< of those moved: may meet a triangle of the leaf of a
+  Leaves leaves_a_;
+  Leaves leaves_b_;
+  Near near_a_;  ///< to the leaf of b
+  Near near_b_;  ///< to one triangle of the leaf of a
 };
 
 }  // namespace
 
 Intersections find_intersections(const Bvh& a, const Bvh& b) {
-  const auto as_it_is = [](const Triangle& corners) -> const Triangle& { return corners; };
-  LeafTest test(a, b, as_it_is);
+  LeafTest test(a, b, nullptr);
   test.found.box_tests = for_each_pair_of_leaves(a, b, overlap, test);
   std::sort(test.found.pairs.begin(), test.found.pairs.end());
   return std::move(test.found);
@@ -413,11 +501,15 @@ constexpr int depth_of_last_sah_cut = 31;
 
 /// Triangles side by side: what is between two planes, or all on one side of one.
 struct Bin {
+  void add(const Box& more, double number) {
+    box.low = box.low.cwiseMin(more.low);
+    box.high = box.high.cwiseMax(more.high);
+    count += number;
+  }
+
   Box box;
   double count = 0.0;
 };
-
-Bin operator+(const Bin& a, const Bin& b) { return {merged(a.box, b.box), a.count + b.count}; }
 
 double cost(const Bin& side) { return surface_area(side.box) * side.count; }
 
@@ -429,52 +521,74 @@ struct Plane {
 
 class SahCut {
  public:
-  explicit SahCut(int bins) : bins_(bins) {}
+  explicit SahCut(int bins) : bins_(bins), right_cost_(static_cast<std::size_t>(bins)) {}
 
-  Iterator operator()(Iterator begin, Iterator end, int depth) const {
+  Iterator operator()(Iterator begin, Iterator end, int depth) {
     if (depth > depth_of_last_sah_cut) return halved(begin, end);
-    Box spread;
-    for (Iterator i = begin; i != end; ++i) spread = merged(spread, {i->centroid, i->centroid});
+    spread_ = Box{};
+    for (Iterator i = begin; i != end; ++i) {
+      spread_.low = spread_.low.cwiseMin(i->centroid);
+      spread_.high = spread_.high.cwiseMax(i->centroid);
+    }
+    scale_ = bins_ * (spread_.high - spread_.low).cwiseInverse();
+    fill_bins(begin, end);
     Plane best;
-    for (Eigen::Index axis = 0; axis < 3; ++axis) try_planes(begin, end, spread, axis, best);
+    for (Eigen::Index axis = 0; axis < 3; ++axis) try_planes(axis, best);
     if (best.bin == 0) return halved(begin, end);
-    return std::partition(begin, end, [&](const Entry& entry) {
-      return bin_of(entry, spread, best.axis) < best.bin;
-    });
+    return std::partition(begin, end,
+                          [&](const Entry& entry) { return bin_of(entry, best.axis) < best.bin; });
   }
 
  private:
-  [[nodiscard]] int bin_of(const Entry& entry, const Box& spread, Eigen::Index axis) const {
-    const double scale = bins_ / (spread.high[axis] - spread.low[axis]);
-    const double place = (entry.centroid[axis] - spread.low[axis]) * scale;
+  [[nodiscard]] bool is_flat(Eigen::Index axis) const {
+    return !(spread_.high[axis] > spread_.low[axis]);
+  }
+
+  [[nodiscard]] int bin_of(const Entry& entry, Eigen::Index axis) const {
+    const double place = (entry.centroid[axis] - spread_.low[axis]) * scale_[axis];
     return std::min(static_cast<int>(place), bins_ - 1);
   }
 
-  /// Keeps the best plane across the axis where it is better than the best so far. The first and
-  /// the last bin are never empty: no plane has an empty side.
-  void try_planes(Iterator begin, Iterator end, const Box& spread, Eigen::Index axis,
-                  Plane& best) const {
-    if (!(spread.high[axis] > spread.low[axis])) return;
-    std::vector<Bin> bins(static_cast<std::size_t>(bins_));
-    for (Iterator i = begin; i != end; ++i) {
-      Bin& bin = bins[static_cast<std::size_t>(bin_of(*i, spread, axis))];
-      bin = bin + Bin{i->box, 1.0};
+  /// Fills the bins of all three axes in one pass over the triangles.
+  void fill_bins(Iterator begin, Iterator end) {
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      if (is_flat(axis)) scale_[axis] = 0.0;
+      of_axis_[static_cast<std::size_t>(axis)].assign(right_cost_.size(), Bin{});
     }
-    std::vector<double> right_cost(bins.size());
+    for (Iterator i = begin; i != end; ++i) {
+      for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        const auto bin = static_cast<std::size_t>(bin_of(*i, axis));
+        of_axis_[static_cast<std::size_t>(axis)][bin].add(i->box, 1.0);
+      }
+    }
+  }
+
+  /// Keeps the best plane across the axis where it is better than the best so far. The first and
+  /// the last bin are never empty: no plane has an empty side. A plane next to an empty bin parts
+  /// as another one does, and is left out.
+  void try_planes(Eigen::Index axis, Plane& best) {
+    if (is_flat(axis)) return;
+    const std::vector<Bin>& bins = of_axis_[static_cast<std::size_t>(axis)];
     Bin right;
     for (std::size_t i = bins.size(); --i > 0;) {
-      right = right + bins[i];
-      right_cost[i] = cost(right);
+      if (bins[i].count == 0.0) continue;
+      right.add(bins[i].box, bins[i].count);
+      right_cost_[i] = cost(right);
     }
-    Bin left;
+    Bin left = bins[0];
     for (std::size_t i = 1; i < bins.size(); ++i) {
-      left = left + bins[i - 1];
-      const double both = cost(left) + right_cost[i];
+      if (bins[i].count == 0.0) continue;
+      const double both = cost(left) + right_cost_[i];
       if (both < best.cost) best = {both, axis, static_cast<int>(i)};
+      left.add(bins[i].box, bins[i].count);
     }
   }
 
   int bins_;
+  Box spread_;                 ///< of the centroids
+  Vec3 scale_ = Vec3::Zero();  ///< bins over its sides [1/m]
+  std::array<std::vector<Bin>, 3> of_axis_;
+  std::vector<double> right_cost_;
 };
 
 }  // namespace
@@ -528,8 +642,7 @@ class MovedOverlap {
 
 Intersections find_intersections_moved(const Bvh& a, const Bvh& b, const RigidTransform& a_from_b) {
   common::require_finite(a_from_b, "a_from_b");
-  const auto move = [&](const Triangle& corners) { return common::transformed(a_from_b, corners); };
-  LeafTest test(a, b, move);
+  LeafTest test(a, b, &a_from_b);
   test.found.box_tests = for_each_pair_of_leaves(a, b, MovedOverlap(a, b, a_from_b), test);
   std::sort(test.found.pairs.begin(), test.found.pairs.end());
   return std::move(test.found);

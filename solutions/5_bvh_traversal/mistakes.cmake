@@ -168,8 +168,8 @@ add_mutant(${lab} segments_dropped 5.5
 
 # The pair is written as it was descended.
 add_mutant(${lab} pair_swapped 5.5
-  "found.pairs.push_back({a_.triangles[i], b->triangle});"
-  "found.pairs.push_back({b->triangle, a_.triangles[i]});" "are swapped")
+  "found.pairs.push_back({a_.triangles[node_a.first + i], b_.triangles[node_b.first + j]});"
+  "found.pairs.push_back({b_.triangles[node_b.first + j], a_.triangles[node_a.first + i]});" "are swapped")
 
 # The order in which they are found is believed to be the sorted one.
 add_mutant(${lab} pairs_unsorted 5.5
@@ -179,7 +179,7 @@ add_mutant(${lab} pairs_unsorted 5.5
 
 # A test of two leaves is counted as one.
 add_mutant(${lab} leaf_pairs_counted 5.5
-  "found.triangle_tests += std::uint64_t{leaf_a.count} * leaf_b.count;"
+  "found.triangle_tests += std::uint64_t{node_a.count} * node_b.count;"
   "found.triangle_tests += 1;" "number of pairs of leaves")
 
 # ---- 5.6 ----
@@ -197,10 +197,10 @@ add_mutant(${lab} sah_without_numbers 5.6
 
 # The axis is chosen as for the median.
 add_mutant(${lab} sah_along_one_axis 5.6
-  "for (Eigen::Index axis = 0; axis < 3; ++axis) try_planes(begin, end, spread, axis, best);"
+  "for (Eigen::Index axis = 0; axis < 3; ++axis) try_planes(axis, best);"
   "Eigen::Index axis = 0;
-    (spread.high - spread.low).maxCoeff(&axis);
-    try_planes(begin, end, spread, axis, best);" "only the axis of the widest spread")
+    (spread_.high - spread_.low).maxCoeff(&axis);
+    try_planes(axis, best);" "only the axis of the widest spread")
 
 # The median is believed to do as well.
 add_mutant(${lab} sah_is_median 5.6

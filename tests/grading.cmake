@@ -1,6 +1,6 @@
 # Hand-out and grading. A stand-in for the judge proves all that is around it within seconds; what
 # builds takes minutes and says so in its name.
-foreach(part IN ITEMS handout intake points proof running gradescope slurm)
+foreach(part IN ITEMS handout intake points proof running sandbox gradescope slurm)
   add_kit_script(grading ${part} Python3::Interpreter -B
     "${CMAKE_CURRENT_SOURCE_DIR}/grading_test.py" ${part})
   set_tests_properties("kit/grading/${part}" PROPERTIES TIMEOUT 600

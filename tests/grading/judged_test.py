@@ -1,7 +1,7 @@
 """The judge on what is known: right answers pass, stubs are not written, mistakes fail their step.
 
-It builds and takes minutes. Of each lab's bank of mistakes it takes one; with TUMBLE_ALL_MISTAKES=N
-all of lab N.
+It builds and takes minutes. Of each lab's bank of mistakes it takes one; all of labs 1 and 4 with
+TUMBLE_ALL_MISTAKES=1,4 in the environment.
 """
 
 import os
@@ -9,12 +9,14 @@ import re
 import shlex
 import tempfile
 import unittest
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import NamedTuple, Sequence
 
 from tumble.grading.judge import judge
-from tumble.grading.points import expected_cases
-from tumble.grading.verdicts import Judged
+from tumble.grading.points import FULL, Table, expected_cases, read_table
+from tumble.grading.score import graded
+from tumble.grading.verdicts import PASS, Judged
 from tumble.labs import Lab, find_labs
 
 from box import box_or_skip
@@ -44,6 +46,15 @@ def mistakes(lab: Lab) -> list[Mistake]:
     words = [[word.replace("\\n", "\n") for word in shlex.split(found)]
              for found in _MUTANT.findall(text)]
     return [Mistake(*each[1:6]) for each in words if len(each) == 6]
+
+
+def resting_on(table: Table, step: str) -> set[str]:
+    """The step, and those that depend on it, be it by others between."""
+    found = {step}
+    for number, row in table.steps.items():
+        if found & set(row.depends_on):
+            found.add(number)
+    return found
 
 
 class EveryLab(unittest.TestCase):
@@ -77,27 +88,39 @@ class EveryLab(unittest.TestCase):
             with self.subTest(lab.name):
                 self.require_all(self.judged(lab, lab.stub.read_bytes()), "not written yet")
 
-    def test_mistakes_fail_their_step(self) -> None:
-        for lab in graded_labs():
-            text = (ROOT / "solutions" / lab.folder / lab.stub.name).read_text(encoding="utf-8")
-            chosen: Sequence[Mistake] = mistakes(lab)
-            self.assertGreaterEqual(len(chosen), 8)
-            if os.environ.get("TUMBLE_ALL_MISTAKES") != str(lab.number):
-                chosen = chosen[:1]
-            for mistake in chosen:
-                with self.subTest(f"{lab.name} {mistake.name}"):
+    def test_mistakes_lose_their_step_and_what_rests_on_it(self) -> None:
+        whole = os.environ.get("TUMBLE_ALL_MISTAKES", "").split(",")
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            for lab in graded_labs():
+                text = (ROOT / "solutions" / lab.folder / lab.stub.name).read_text(encoding="utf-8")
+                bank = mistakes(lab)
+                self.assertGreaterEqual(len(bank), 8)
+                chosen = bank if str(lab.number) in whole else bank[:1]
+                for mistake in chosen:
                     self.assertIn(mistake.find, text)
-                    wrong = text.replace(mistake.find, mistake.replace).encode()
-                    self.require_caught(self.judged(lab, wrong), mistake)
+                wrong = [text.replace(each.find, each.replace).encode() for each in chosen]
+                results = pool.map(lambda source, lab=lab: self.judged(lab, source), wrong)
+                for mistake, result in zip(chosen, results):
+                    with self.subTest(f"{lab.name} {mistake.name}"):
+                        self.require_caught(result, mistake)
+                        self.require_points(lab, result, mistake.step)
 
     def require_caught(self, result: Judged, mistake: Mistake) -> None:
-        own = [case for case in result.cases if case.step == mistake.step and case.word != "pass"]
+        own = [case for case in result.cases if case.step == mistake.step and case.word != PASS]
         self.assertNotEqual(own, [])
         likely = {case.likely for case in own if case.likely}
         if mistake.words:
             self.assertTrue(any(mistake.words in story for story in likely), own)
         for story in likely:
             self.assertIn(mistake.words or "none may be named", story)
+
+    def require_points(self, lab: Lab, result: Judged, step: str) -> None:
+        table = read_table(ROOT, lab)
+        marks = graded(lab, table, expected_cases(ROOT, lab), result, len(SEEDS))
+        lost = {each.step for each in marks.steps if each.word != PASS}
+        self.assertLessEqual(lost, resting_on(table, step))
+        self.assertEqual(marks.score, FULL + table.bonus - sum(
+            table.steps[each].points for each in lost))
 
 
 if __name__ == "__main__":

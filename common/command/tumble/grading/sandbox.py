@@ -34,7 +34,8 @@ _SANITIZERS = (
 
 
 class Limits(NamedTuple):
-    """What one program may take. `cpu` [s] is 0 where the caller limits it."""
+    """What one program may take. `cpu` [s] is 0 where the caller limits it; memory and processes
+    are 0 where nothing does."""
 
     cpu: int
     memory: int
@@ -45,8 +46,8 @@ class Limits(NamedTuple):
 
     def command(self) -> list[str]:
         """Within the box, since the kernel counts the processes of a user by namespace."""
-        words = [_tool("prlimit"), f"--fsize={self.file}", f"--nproc={self.processes}",
-                 f"--nofile={self.files}", "--core=0"]
+        words = [_tool("prlimit"), f"--fsize={self.file}", f"--nofile={self.files}", "--core=0"]
+        words += [f"--nproc={self.processes}"] if self.processes else []
         words += [f"--as={self.memory}"] if self.memory else []
         words += [f"--cpu={self.cpu}"] if self.cpu else []
         return words
@@ -57,6 +58,12 @@ WORKER = Limits(0, 1024 * _MIB, _MIB, 1, 32, 16 * _MIB)
 """A worker is one process of one thread: what it cannot start cannot outlive it."""
 SANITIZED_WORKER = Limits(0, 0, _MIB, 8, 32, 16 * _MIB)
 """The sanitizers reserve address space and watch their memory from a thread of their own."""
+
+
+def _unboxed(limits: Limits) -> Limits:
+    """Without a namespace all processes of the user count, whoever began them: then a limit can
+    only be none or, for what is to begin no other, 1."""
+    return limits if limits.processes == 1 else limits._replace(processes=0)
 
 
 class Sandbox:
@@ -96,7 +103,7 @@ class Sandbox:
         settings = _SANITIZERS if sanitized else ()
         if not self.boxed:
             words = [_tool("env"), "-i", *(f"{name}={value}" for name, value in settings)]
-            return [*self._user(), *words, *limits.command(), str(driver)]
+            return [*self.as_user(), *words, *_unboxed(limits).command(), str(driver)]
         mounts = ["--chdir", "/tmp", "--ro-bind", str(driver), "/driver",
                   *(word for setting in settings for word in ("--setenv", *setting))]
         options = ["--json-status-fd", str(STATUS_DESCRIPTOR)]
@@ -107,8 +114,8 @@ class Sandbox:
         if not self.boxed:
             paths = {"/kit": str(kit), "/out": str(out)}
             words = [_within(word, paths) for word in command]
-            return [*self._user(), _tool("env"), "-i", "-C", str(kit), "PATH=/usr/bin", "LC_ALL=C",
-                    f"TMPDIR={out}", *COMPILER.command(), *words]
+            return [*self.as_user(), _tool("env"), "-i", "-C", str(kit), "PATH=/usr/bin", "LC_ALL=C",
+                    f"TMPDIR={out}", *_unboxed(COMPILER).command(), *words]
         mounts = ["--ro-bind", str(kit), "/kit", "--bind", str(out), "/out", "--chdir", "/kit"]
         return self._boxed(COMPILER, mounts, command)
 
@@ -119,7 +126,7 @@ class Sandbox:
 
     def _boxed(self, limits: Limits, mounts: Sequence[str], command: Sequence[str],
                options: Sequence[str] = ()) -> list[str]:
-        return [*self._user(), _tool("bwrap"), "--unshare-all", "--unshare-user",
+        return [*self.as_user(), _tool("bwrap"), "--unshare-all", "--unshare-user",
                 "--disable-userns", "--cap-drop", "ALL", "--new-session", "--die-with-parent",
                 "--clearenv", *options,
                 "--uid", "1000", "--gid", "1000", "--hostname", "box",
@@ -129,7 +136,7 @@ class Sandbox:
                 "--setenv", "HOME", "/tmp", *mounts,
                 "--", *limits.command(), *command]
 
-    def _user(self) -> list[str]:
+    def as_user(self) -> list[str]:
         if not self.changes_user:
             return []
         return [_tool("setpriv"), f"--reuid={NOBODY}", f"--regid={NOBODY}", "--clear-groups"]

@@ -83,10 +83,9 @@ bool triangles_meet(const Triangle& a, const Triangle& b) {
   // 1. On which side of b's plane are the corners of a? All strictly on one: they do not meet.
   //    The same the other way round.
   // 2. Neither all in the other's plane: both cross the line of the two planes, each in an
-  // interval.
-  //    Turn each triangle so that its first corner is alone on its side of the other's plane, and
-  //    turn the other one over where that side is below. Two orientations then tell whether the
-  //    intervals overlap.
+  //    interval. Turn each triangle so that its first corner is alone on its side of the other's
+  //    plane, and turn the other one over where that side is below. Two orientations then tell
+  //    whether the intervals overlap.
   // 3. All corners in one plane: look at the shadows along the axes; in two dimensions an edge that
   //    parts the triangles does it. common::orientation(p, q, x) tells left from right.
   // 4. Triangles may be segments or points, which have no plane of their own: what do the signs of
@@ -108,8 +107,7 @@ Bvh build_sah(const TriangleMesh& mesh, int leaf_size, int bins) {
   // TODO step 5.6, eq. (8)
   // 1. As build_median, but for the cut.
   // 2. Along each axis part the span of the centroids into equal bins; sum up the box and the
-  // number
-  //    of the triangles in each.
+  //    number of the triangles in each.
   // 3. One sweep from the right and one from the left give the cost of every plane between bins.
   //    Where one side of a plane is empty it is no cut.
   // 4. Take the cheapest plane of all axes. std::partition puts the range in order.

@@ -140,6 +140,7 @@ Bvh build_sah(const TriangleMesh& mesh, int leaf_size, int bins);
 ///
 /// Nothing is built: a node's box is moved with it, to a box around it (|R| h about R c + t, of
 /// centre c and half sides h, and a margin for rounding) that holds all moved corners below.
+/// Which node is bigger may be asked of the boxes as they are stored or as they are moved.
 /// Throws std::invalid_argument where a_from_b is not finite.
 Intersections find_intersections_moved(const Bvh& a, const Bvh& b, const RigidTransform& a_from_b);
 

@@ -35,6 +35,17 @@ add_mutant(${lab} area_of_half_the_faces 5.1 "2.0 * (side.x() * side.y()" "(side
 # The empty box is forgotten.
 add_mutant(${lab} area_of_empty_box 5.1 "if (!(side.x() >= 0.0)) return 0.0;" "" "")
 
+# What has no surface is believed to be empty.
+add_mutant(${lab} merged_without_flat_boxes 5.1
+  "Box merged(const Box& a, const Box& b) {"
+  "Box merged(const Box& a, const Box& b) {
+  if (surface_area(b) == 0.0) return a;" "the second box is left out")
+
+# One box begins before the other ends, and that is believed to be all.
+add_mutant(${lab} overlap_by_one_half 5.1
+  "static_cast<int>(a.low[i] <= b.high[i]) & static_cast<int>(b.low[i] <= a.high[i])"
+  "static_cast<int>(a.low[i] <= b.high[i])" "half of this is missing")
+
 # ---- 5.2 ----
 
 # The middle of the span is taken for the median.
@@ -182,6 +193,22 @@ add_mutant(${lab} leaf_pairs_counted 5.5
   "found.triangle_tests += std::uint64_t{node_a.count} * node_b.count;"
   "found.triangle_tests += 1;" "number of pairs of leaves")
 
+# A small number is believed to be zero, whatever the size of the triangles.
+add_mutant(${lab} sides_by_threshold 5.5
+  "const double error = 2e-15 * size.dot(d.cwiseAbs()) + 1e-240;"
+  "const double error = 1e-14 + 0.0 * size.x();" "")
+
+# Shadows are believed to need no exact arithmetic.
+add_mutant(${lab} shadows_by_rounding 5.5
+  "const Signs s{orientation(p, q, b[0]), orientation(p, q, b[1]), orientation(p, q, b[2])};"
+  "const auto turn = [&](const Vec2& r) {
+      const Vec2 e = q - p;
+      const Vec2 f = r - p;
+      const double area = e.x() * f.y() - e.y() * f.x();
+      return area > 0.0 ? 1 : area < 0.0 ? -1 : 0;
+    };
+    const Signs s{turn(b[0]), turn(b[1]), turn(b[2])};" "")
+
 # ---- 5.6 ----
 
 # The volume is believed to be what a box costs.
@@ -209,6 +236,10 @@ add_mutant(${lab} sah_is_median 5.6
 
 # Equal centroids are forgotten: one side of the cut is empty.
 add_mutant(${lab} sah_side_empty 5.6 "if (best.bin == 0) return halved(begin, end);" "" "")
+
+# The last depth for the heuristic is taken for the first without it.
+add_mutant(${lab} sah_one_level_further 5.6 "constexpr int depth_of_last_sah_cut = 31;"
+  "constexpr int depth_of_last_sah_cut = 32;" "")
 
 # ---- 5.7 ----
 
@@ -253,3 +284,8 @@ add_mutant(${lab} refit_only_grows 5.7 "node.box = Box{};" "" "boxes only grow")
 # The copies of the corners are forgotten.
 add_mutant(${lab} refit_without_corners 5.7
   "bvh.corners[i] = triangle(deformed, bvh.triangles[i]);" "" "corners are those of before")
+
+# Rounding is thought of where b arrives, not where it was.
+add_mutant(${lab} moved_margin_of_the_shift 5.7
+  "const double size = furthest(a) + t_.cwiseAbs().sum() + R_size_.sum() * furthest(b);"
+  "const double size = t_.cwiseAbs().sum();" "")

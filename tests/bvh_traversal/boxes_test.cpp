@@ -14,8 +14,13 @@ const std::string touching_boxes =
     "touching boxes are taken for apart: they share points, so <= and not <";
 const std::string one_axis_is_enough =
     "one coordinate is enough: boxes overlap only where their intervals do in all three";
+const std::string half_is_missing =
+    "half of this is missing: each box must begin before the other ends, in all three coordinates";
 const std::string corner_inside =
     "this looks for a corner of one box in the other: plates that cross have none";
+
+/// Lengths may be so small and so large, by the contract [m].
+constexpr std::array<double, 5> sizes{1.0, 1e60, 1e-60, 1e-9, 1e9};
 
 void expect_box_of(const Triangle& t, int index, int count) {
   Corners wanted;
@@ -56,6 +61,10 @@ bool overlap_by(const Box& a, const Box& b, bool any) {
   return !any;
 }
 
+bool begins_before_end(const Box& a, const Box& b) {
+  return (a.low.array() <= b.high.array()).all();
+}
+
 bool has_corner_in(const Box& a, const Box& b) {
   for (int k = 0; k < 8; ++k) {
     bool inside = true;
@@ -84,6 +93,8 @@ void expect_overlap(const Box& a, const Box& b, int index, int count) {
         Decision{got}, Decision{wanted}, tests::exactly,
         {{Decision{overlap_strictly(first, second)}, touching_boxes},
          {Decision{overlap_by(first, second, true)}, one_axis_is_enough},
+         {Decision{begins_before_end(first, second)}, half_is_missing},
+         {Decision{begins_before_end(second, first)}, half_is_missing},
          {Decision{has_corner_in(first, second) || has_corner_in(second, first)}, corner_inside}});
   }
 }
@@ -109,7 +120,8 @@ TEST_CASE("The box of a triangle takes each coordinate of any corner", "[5.1]") 
 TEST_CASE("The box of random triangles is exact", "[5.1]") {
   tests::Random random(1);
   for (int i = 1; i <= 100; ++i) {
-    expect_box_of({random.vector(3.0), random.vector(3.0), random.vector(3.0)}, i, 100);
+    const double size = sizes[static_cast<std::size_t>(i) % sizes.size()];
+    expect_box_of({random.vector(size), random.vector(size), random.vector(size)}, i, 100);
   }
 }
 
@@ -133,12 +145,45 @@ TEST_CASE("An empty box adds nothing to another", "[5.1]") {
   expect_merged(Box{}, box, box, 2, 2);
 }
 
+TEST_CASE("A point and a line have no surface and yet are merged", "[5.1]") {
+  const Box box{Vec3(-3.0, 1.0, 2.0), Vec3(-2.0, 2.0, 5.0)};
+  const Box point{Vec3(1.0, 1.0, 1.0), Vec3(1.0, 1.0, 1.0)};
+  const Box line{Vec3(-5.0, 1.0, 3.0), Vec3(-5.0, 4.0, 3.0)};
+  int index = 0;
+  for (const auto& [a, b] : {std::pair{box, point}, {point, line}, {line, box}}) {
+    const Box both{a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};
+    expect_merged(a, b, both, ++index, 6);
+    expect_merged(b, a, both, ++index, 6);
+  }
+}
+
 TEST_CASE("Boxes that touch at a face an edge or a corner overlap", "[5.1]") {
   const Box unit{Vec3::Zero(), Vec3::Ones()};
   int index = 0;
   for (const Vec3& shift : {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(0, 0, 1), Vec3(1, 1, 0),
                             Vec3(0, 1, -1), Vec3(1, -1, 1), Vec3(1, 1, 1)}) {
     expect_overlap(unit, {unit.low + shift, unit.high + shift}, ++index, 7);
+  }
+}
+
+TEST_CASE("Boxes apart along two axes or all three do not overlap", "[5.1]") {
+  const Box unit{Vec3::Zero(), Vec3::Ones()};
+  int index = 0;
+  for (const Vec3& shift : {Vec3(3, -3, 0), Vec3(0, 3, -3), Vec3(-3, 0, 3), Vec3(3, 3, 3)}) {
+    expect_overlap(unit, {unit.low + shift, unit.high + shift}, ++index, 4);
+  }
+}
+
+TEST_CASE("Boxes touch or are apart by the last bit at rounded places", "[5.1]") {
+  tests::Random random(5);
+  for (int i = 1; i <= 200; ++i) {
+    const Box a = random_box(random);
+    Box b{a.low - random.vector().cwiseAbs(), a.high + random.vector().cwiseAbs()};
+    const Eigen::Index axis = i % 3;
+    const double end = a.high[axis];
+    b.low[axis] = i % 2 == 0 ? end : std::nextafter(end, std::numeric_limits<double>::max());
+    b.high[axis] = b.low[axis] + random.uniform(0.0, 2.0);
+    expect_overlap(a, b, i, 200);
   }
 }
 
@@ -185,7 +230,9 @@ TEST_CASE("A flat box has two faces and a line or an empty box has none", "[5.1]
 TEST_CASE("The surface of random bricks holds to a few ulp", "[5.1]") {
   tests::Random random(4);
   for (int i = 1; i <= 100; ++i) {
-    const Box box = random_box(random);
+    const double size = sizes[static_cast<std::size_t>(i) % sizes.size()];
+    const Box unscaled = random_box(random);
+    const Box box{size * unscaled.low, size * unscaled.high};
     expect_area(box, area_of(box.high - box.low), i, 100);
   }
 }

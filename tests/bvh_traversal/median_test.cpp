@@ -110,6 +110,29 @@ TEST_CASE("The smooth meshes are cut by the median of the widest axis", "[5.2]")
   expect_median(common::flat_grid(20), 3, 3, 3);
 }
 
+TEST_CASE("Meshes of any size and far off are cut alike", "[5.2]") {
+  const common::TriangleMesh sphere = common::bumpy_sphere(300);
+  int index = 0;
+  for (const double size : {1e60, 1e-60, 1e-9}) {
+    expect_median(common::scaled(sphere, Vec3::Constant(size)), 3, ++index, 5);
+  }
+  expect_median(common::scaled(sphere, Vec3::Ones(), Vec3::Constant(1e6)), 3, ++index, 5);
+  expect_median(common::scaled(sphere, Vec3(1.0, 1e9, 1.0)), 3, ++index, 5);
+}
+
+TEST_CASE("Points and lines along an axis stay in the boxes", "[5.2]") {
+  tests::Random random(23);
+  common::TriangleMesh mesh;
+  for (std::uint32_t i = 0; i < 40; ++i) {
+    const Vec3 place = random.vector(4.0);
+    const Vec3 along = i % 2 == 0 ? Vec3::Zero() : Vec3(random.uniform(0.5, 1.0) * Vec3::UnitY());
+    for (const double s : {0.0, 0.5, 1.0}) mesh.vertices.push_back(place + s * along);
+    mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  expect_median(mesh, 1, 1, 2);
+  expect_median(mesh, 4, 2, 2);
+}
+
 TEST_CASE("Any number of triangles fits any size of leaf", "[5.2]") {
   tests::Random random(22);
   for (int n = 1; n <= 12; ++n) {
@@ -154,6 +177,15 @@ TEST_CASE("The work of a build grows as n log n", "[5.2]") {
                        tests::work_of(bvh, shape) / (static_cast<double>(n) * levels),
                        {1.0, "each triangle is in one node a level"}, tests::too_deep);
   }
+}
+
+TEST_CASE("A large mesh is built at once", "[5.2]") {
+  // Twenty times what the last took, and a little: a list that is copied at each cut, or as long as
+  // the mesh, takes 400 times as much and comes to no end.
+  const common::TriangleMesh mesh = common::bumpy_torus(120000);
+  const Trial trial = Trial("5.2 build_median").given("leaf_size", 1.0);
+  const Bvh bvh = trial.returned([&] { return build_median(mesh, 1); });
+  tests::expect_structure(trial, bvh, mesh, 1);
 }
 
 TEST_CASE("A mesh that is broken or leaves below one are refused", "[5.2]") {

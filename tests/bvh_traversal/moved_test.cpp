@@ -142,21 +142,52 @@ TEST_CASE("Long triangles are not lost where boxes are turned", "[5.7]") {
 
 TEST_CASE("Moved corners that touch by rounding are compared as they are rounded", "[5.7]") {
   // Corners of a at the rounded places of corners of b: they meet in one point, on the faces of all
-  // boxes, so that a moved box needs its margin.
+  // boxes, so that a moved box needs its margin: for what is rounded where b is, on the way, and
+  // where it arrives.
+  struct Place {
+    double size;         // of b [m]
+    double from_origin;  // of b in its frame [m]
+    double shift;        // [m]
+    bool returns;        // the motion leads b's place to the origin
+  };
+  const std::array<Place, 10> places{{{1.0, 0.0, 1.0, false},
+                                      {1.0, 0.0, 1e6, false},
+                                      {1.0, 0.0, 1e9, false},
+                                      {1.0, 1.0, 0.0, false},
+                                      {1.0, 1e3, 0.0, false},
+                                      {1.0, 1e6, 0.0, false},
+                                      {1.0, 1e6, 0.0, true},
+                                      {1e9, 0.0, 0.0, false},
+                                      {1e9, 0.0, 1.0, false},
+                                      {1e-9, 1.0, 0.0, false}}};
   tests::Random random(85);
-  for (int i = 1; i <= 100; ++i) {
-    const RigidTransform t = random_transform(random, i % 2 == 0 ? 1.0 : 1e6);
-    TriangleMesh b;
-    b.vertices = {Vec3::Zero(), random.vector(), random.vector()};
-    b.triangles = {{0, 1, 2}};
-    const TriangleMesh there = moved(b, t);
-    // The corner of b that is furthest along x, and a triangle beyond it.
-    Vec3 tip = there.vertices[0];
-    for (const Vec3& v : there.vertices) {
-      if (v.x() > tip.x()) tip = v;
+  int index = 0;
+  for (const Place& place : places) {
+    for (int i = 0; i < 120; ++i) {
+      RigidTransform t = random_transform(random, place.shift);
+      const Vec3 centre = random.vector(place.from_origin);
+      if (place.returns) t.translation = -(t.rotation * centre);
+      TriangleMesh b;
+      for (int k = 0; k < 3; ++k) b.vertices.push_back(centre + random.vector(place.size));
+      b.triangles = {{0, 1, 2}};
+      const TriangleMesh there = moved(b, t);
+      // The corner of b that is furthest along an axis, and a triangle beyond it.
+      const Eigen::Index axis = i % 3;
+      const double sign = i % 2 == 0 ? 1.0 : -1.0;
+      Vec3 tip = there.vertices[0];
+      for (const Vec3& v : there.vertices) {
+        if (sign * v[axis] > sign * tip[axis]) tip = v;
+      }
+      const auto beyond = [&](double y, double z) {
+        Vec3 d;
+        d[axis] = sign;
+        d[(axis + 1) % 3] = y;
+        d[(axis + 2) % 3] = z;
+        return Vec3(tip + place.size * d);
+      };
+      const TriangleMesh a{{tip, beyond(0.3, 0.1), beyond(-0.2, 0.4)}, {{0, 1, 2}}};
+      CHECK(expect_moved(a, b, t, 1, ++index, 1200) == 1);
     }
-    const TriangleMesh a{{tip, tip + Vec3(1.0, 0.3, 0.1), tip + Vec3(1.0, -0.2, 0.4)}, {{0, 1, 2}}};
-    CHECK(expect_moved(a, b, t, 1, i, 100) == 1);
   }
 }
 

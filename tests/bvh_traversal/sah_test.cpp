@@ -66,8 +66,17 @@ Built expect_sah(const common::TriangleMesh& mesh, int leaf_size, int bins, int 
   built.bvh = trial.returned([&] { return build_sah(mesh, leaf_size, bins); });
   built.shape = tests::expect_structure(trial, built.bvh, mesh, leaf_size);
   for (std::size_t i = 0; i < built.bvh.nodes.size(); ++i) {
-    if (tests::is_leaf(built.bvh.nodes[i]) || built.shape.depth[i] >= 32) continue;
-    expect_cut(trial, built.bvh, built.shape, i, bins);
+    const BvhNode& node = built.bvh.nodes[i];
+    if (tests::is_leaf(node)) continue;
+    if (built.shape.depth[i] < 32) {
+      expect_cut(trial, built.bvh, built.shape, i, bins);
+      continue;
+    }
+    trial.of("the cut of node " + std::to_string(i) + " at depth 32 or below")
+        .expect_small("by how many its halves differ",
+                      std::abs(static_cast<double>(built.shape.below[node.first]) -
+                               static_cast<double>(built.shape.below[node.first + 1])),
+                      {1.0, "from depth 32 on a node is halved"});
   }
   return built;
 }
@@ -121,6 +130,14 @@ TEST_CASE("No plane between bins is cheaper than a cut on smooth meshes", "[5.6]
   common::TriangleMesh torus = common::bumpy_torus(600);
   expect_sah(sphere, 4, 16, 1, 2);
   expect_sah(torus, 2, 8, 2, 2);
+}
+
+TEST_CASE("Meshes of any size are cut alike by the heuristic", "[5.6]") {
+  const common::TriangleMesh torus = common::bumpy_torus(400);
+  int index = 0;
+  for (const double size : {1e60, 1e-60}) {
+    expect_sah(common::scaled(torus, Vec3::Constant(size)), 3, 12, ++index, 2);
+  }
 }
 
 TEST_CASE("Where no plane parts the centroids the triangles are halved", "[5.6]") {

@@ -1,3 +1,4 @@
+#include "common/meshes.hpp"
 #include "walks.hpp"
 
 using namespace lab::bvh_traversal;
@@ -72,6 +73,23 @@ TEST_CASE("A tree against itself comes to each of its leaves", "[5.4]") {
   tests::Random random(43);
   const common::TriangleMesh mesh = tests::spread(random, 80, 9);
   expect_complete(mesh, mesh, 2, 1, 1);
+}
+
+TEST_CASE("Trees of any size are walked alike", "[5.4]") {
+  tests::Random random(44);
+  const common::TriangleMesh mesh = tests::spread(random, 60, 9);
+  int index = 0;
+  for (const double size : {0x1p199, 0x1p-199}) {  // exact, so that equal boxes stay equal
+    const common::TriangleMesh scaled = common::scaled(mesh, Vec3::Constant(size));
+    expect_complete(scaled, scaled, 2, ++index, 2);
+  }
+}
+
+TEST_CASE("Large trees are walked at once", "[5.4]") {
+  // Some hundred thousand pairs: a tree that is copied at each call comes to no end.
+  const common::TriangleMesh torus = common::bumpy_torus(6400);
+  expect_walk(traverse, true, Trial("5.4 traverse"), tests::tree_of(torus, 1),
+              tests::tree_of(torus, 1));
 }
 
 TEST_CASE("A traversal does not grow as the product of the meshes", "[5.4]") {

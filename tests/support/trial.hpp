@@ -105,7 +105,8 @@ class Trial {
     try {
       const auto got = call();
       const std::string wanted = "an exception, since " + why;
-      const std::string error = is_finite(got) ? "nothing is thrown" : not_finite;
+      const std::string error =
+          is_finite(got) ? "nothing is thrown" : "not finite, and nothing is thrown";
       explain(text(got), wanted, error, "", named(likely));
     } catch (const common::NotImplemented&) {
       throw;
@@ -143,7 +144,8 @@ class Trial {
     if (!part_.empty()) lines += "| note    this is about " + part_ + "\n";
     lines += "| got     " + got + "\n| wanted  " + wanted + "\n| error   " + error + "\n";
     if (!bound.empty()) lines += "| bound   " + bound + "\n";
-    if (stories.size() == 1) lines += "| likely  " + stories.front() + "\n";
+    if (stories.size() == 1 && !stories.front().empty())
+      lines += "| likely  " + stories.front() + "\n";
     std::cerr << lines << std::flush;
   }
 

@@ -138,8 +138,8 @@ def _explain(failure: Checked) -> list[str]:
 def _from_outside(failure: Checked) -> list[tuple[str, str]]:
     word, detail = failure.outcome
     if word == TIMED_OUT:
-        return [("note", "it did not end in time: look for a loop that cannot end "
-                         "or a missing return")]
+        return [("note", "it did not end in time: look for a loop that cannot end, a "
+                         "missing return, or far too much work, as a copy at each call")]
     if word == CRASHED:
         broken: Optional[str] = assertion(failure.case.output)
         why = f"this assert did not hold: {broken}" if broken else _USUAL_CRASH

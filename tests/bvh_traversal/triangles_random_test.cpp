@@ -61,6 +61,55 @@ TEST_CASE("Corners within rounding of a plane or an edge are decided exactly", "
   }
 }
 
+TEST_CASE("Rounded corners of any size are decided exactly", "[5.5]") {
+  tests::Random random(54);
+  int index = 0;
+  for (const double size : {1e-60, 1e-9, 1e3, 1e6, 1e9, 1e60}) {
+    for (int i = 0; i < 60; ++i) {
+      const Triangle a{random.vector(size), random.vector(size), random.vector(size)};
+      const double s = random.uniform(0.0, 0.5);
+      const double t = random.uniform(0.0, 0.5);
+      const Vec3 on_a = a[0] + s * (a[1] - a[0]) + t * (a[2] - a[0]);
+      const Triangle b{on_a, on_a + random.vector(size), on_a + random.vector(size)};
+      expect_as_in_rationals(a, b, false, ++index, 360);
+    }
+  }
+}
+
+TEST_CASE("Rounded corners in a plane of two axes are decided exactly", "[5.5]") {
+  // A corner of b at the rounded place of a point of a's edge, the others beyond: on which side of
+  // the edge it is is a matter of the last bit, and all six corners are in one plane.
+  tests::Random random(55);
+  for (int i = 1; i <= 300; ++i) {
+    const Eigen::Index axis = i % 3;
+    const auto flat = [&](Vec3 p) {
+      p[axis] = 0.0;
+      return p;
+    };
+    const Triangle a{flat(random.vector()), flat(random.vector()), flat(random.vector())};
+    const Vec3 on_edge = flat(a[0] + random.uniform(0.1, 0.9) * (a[1] - a[0]));
+    const Vec3 beyond = on_edge - a[2];
+    const Vec3 along = 0.2 * (a[1] - a[0]);
+    const Triangle b{on_edge, flat(on_edge + beyond + along), flat(on_edge + beyond - along)};
+    expect_as_in_rationals(a, b, false, i, 300);
+  }
+}
+
+TEST_CASE("Segments of corners with all their digits are segments", "[5.5]") {
+  // The corners are exact multiples of one vector, their differences are not.
+  tests::Random random(56);
+  for (int i = 1; i <= 300; ++i) {
+    const Vec3 f = random.vector();
+    const Triangle a{-f, 0.125 * f, 4.0 * f};
+    const Vec3 u = random.vector();
+    const Vec3 v = random.vector();
+    Triangle b{u, v, -(u + v)};
+    if (i % 3 == 1) b = {u, -0.25 * u, -2.0 * u};
+    if (i % 2 == 0) b = shifted(b, random.vector());
+    expect_as_in_rationals(a, b, false, i, 300);
+  }
+}
+
 TEST_CASE("Triangles of a small grid meet as in rational arithmetic", "[5.5]") {
   tests::Random random(52);
   for (int i = 1; i <= 3000; ++i) {

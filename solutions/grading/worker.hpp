@@ -30,7 +30,8 @@ class Worker {
   void send(std::string_view bytes);
   /// More bytes, behind those of `to`.
   void receive(std::string& to);
-  /// Until the descriptor is ready; ends the case where the worker has had its time.
+  /// Until the descriptor is ready; ends the case where the worker has had its time, or sleeps:
+  /// it has nothing to wait for.
   void wait(int descriptor, short event);
   /// Ends the case in the word for how the worker ended, or is ended.
   [[noreturn]] void report_death();

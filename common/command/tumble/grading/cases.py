@@ -24,8 +24,8 @@ _SECONDS = 300
 """A case ends by itself long before: the worker's time is limited, and the rest is trusted."""
 
 PATIENCE = 10
-"""What a worker may compute in a case [s]; six times as long may it take. A second each once
-three of a submission have come to no end."""
+"""What a worker may compute in a case [s]; six times as long may it take, and sleep two seconds. A
+second each once three of a submission have come to no end."""
 
 _FATE = re.compile(r"^tumble-judge: ([^\n]+)$", re.MULTILINE)
 _STEP = re.compile(r"\d+\.\d+")

@@ -114,8 +114,8 @@ class Sandbox:
         if not self.boxed:
             paths = {"/kit": str(kit), "/out": str(out)}
             words = [_within(word, paths) for word in command]
-            return [*self.as_user(), _tool("env"), "-i", "-C", str(kit), "PATH=/usr/bin", "LC_ALL=C",
-                    f"TMPDIR={out}", *_unboxed(COMPILER).command(), *words]
+            return [*self.as_user(), _tool("env"), "-i", "-C", str(kit), "PATH=/usr/bin",
+                    "LC_ALL=C", f"TMPDIR={out}", *_unboxed(COMPILER).command(), *words]
         mounts = ["--ro-bind", str(kit), "/kit", "--bind", str(out), "/out", "--chdir", "/kit"]
         return self._boxed(COMPILER, mounts, command)
 

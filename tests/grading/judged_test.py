@@ -76,17 +76,22 @@ class EveryLab(unittest.TestCase):
         self.assertEqual(result.notes, [])
 
     def test_right_answers_pass(self) -> None:
-        for lab in graded_labs():
-            folder = ROOT / "solutions" / lab.folder
-            for answer in sorted(folder.glob("*.cpp")):
+        answers = [(lab, answer) for lab in graded_labs()
+                   for answer in sorted((ROOT / "solutions" / lab.folder).glob("*.cpp"))]
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            results = pool.map(lambda of: self.judged(
+                of[0], of[1].read_bytes(), of[1].name == of[0].stub.name), answers)
+            for (_, answer), result in zip(answers, results):
                 with self.subTest(answer.name):
-                    is_reference = answer.name == lab.stub.name
-                    self.require_all(self.judged(lab, answer.read_bytes(), is_reference), "pass")
+                    self.require_all(result, PASS)
 
     def test_nothing_of_a_stub_is_written(self) -> None:
-        for lab in graded_labs():
-            with self.subTest(lab.name):
-                self.require_all(self.judged(lab, lab.stub.read_bytes()), "not written yet")
+        labs = graded_labs()
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            results = pool.map(lambda lab: self.judged(lab, lab.stub.read_bytes()), labs)
+            for lab, result in zip(labs, results):
+                with self.subTest(lab.name):
+                    self.require_all(result, "not written yet")
 
     def test_mistakes_lose_their_step_and_what_rests_on_it(self) -> None:
         whole = os.environ.get("TUMBLE_ALL_MISTAKES", "").split(",")

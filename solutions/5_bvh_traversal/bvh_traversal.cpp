@@ -48,10 +48,21 @@ struct Entry {
 using Entries = std::vector<Entry>;
 using Iterator = Entries::iterator;
 
+/// merged, in place. Inline, since loops over all triangles are made of it.
+inline void extend(Box& box, const Box& more) {
+  box.low = box.low.cwiseMin(more.low);
+  box.high = box.high.cwiseMax(more.high);
+}
+
+Box box_of_centroids(Iterator begin, Iterator end) {
+  Box box;
+  for (Iterator i = begin; i != end; ++i) extend(box, {i->centroid, i->centroid});
+  return box;
+}
+
 /// Halves the entries across the axis along which their centroids spread furthest.
 Iterator halved(Iterator begin, Iterator end) {
-  Box spread;
-  for (Iterator i = begin; i != end; ++i) spread = merged(spread, {i->centroid, i->centroid});
+  const Box spread = box_of_centroids(begin, end);
   Eigen::Index axis = 0;
   (spread.high - spread.low).maxCoeff(&axis);
   // By number, not by place: equal centroids are halved like any others.
@@ -399,13 +410,10 @@ class Leaves {
     leaf.high.resize(node.count, 3);
     leaf.box = Box{};
     for (Eigen::Index i = 0; i < node.count; ++i) {
-      const auto& [p, q, r] = leaf.corners[i];
-      const Vec3 low = p.cwiseMin(q).cwiseMin(r);
-      const Vec3 high = p.cwiseMax(q).cwiseMax(r);
-      leaf.low.row(i) = low;
-      leaf.high.row(i) = high;
-      leaf.box.low = leaf.box.low.cwiseMin(low);
-      leaf.box.high = leaf.box.high.cwiseMax(high);
+      const Box box = box_of(leaf.corners[i]);
+      leaf.low.row(i) = box.low;
+      leaf.high.row(i) = box.high;
+      extend(leaf.box, box);
     }
   }
 
@@ -502,8 +510,7 @@ constexpr int depth_of_last_sah_cut = 31;
 /// Triangles side by side: what is between two planes, or all on one side of one.
 struct Bin {
   void add(const Box& more, double number) {
-    box.low = box.low.cwiseMin(more.low);
-    box.high = box.high.cwiseMax(more.high);
+    extend(box, more);
     count += number;
   }
 
@@ -525,11 +532,7 @@ class SahCut {
 
   Iterator operator()(Iterator begin, Iterator end, int depth) {
     if (depth > depth_of_last_sah_cut) return halved(begin, end);
-    spread_ = Box{};
-    for (Iterator i = begin; i != end; ++i) {
-      spread_.low = spread_.low.cwiseMin(i->centroid);
-      spread_.high = spread_.high.cwiseMax(i->centroid);
-    }
+    spread_ = box_of_centroids(begin, end);
     scale_ = bins_ * (spread_.high - spread_.low).cwiseInverse();
     fill_bins(begin, end);
     Plane best;

@@ -158,7 +158,7 @@ function(_add_judge)
   endif()
   set(includes "${grading}" "${grading}/${name}")
   add_executable(${name}_judge_test EXCLUDE_FROM_ALL "${grading}/proxy.cpp" "${grading}/worker.cpp"
-    "${grading}/${name}/proxy.cpp")
+    "${grading}/sleep.cpp" "${grading}/${name}/proxy.cpp")
   target_include_directories(${name}_judge_test PRIVATE ${includes})
   target_link_libraries(${name}_judge_test PRIVATE ${name}_test project_flags)
   add_library(${name}_driver OBJECT EXCLUDE_FROM_ALL "${grading}/driver.cpp")

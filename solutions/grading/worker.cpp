@@ -15,9 +15,10 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <sstream>
 #include <utility>
 #include <vector>
+
+#include "sleep.hpp"
 
 namespace grading {
 namespace {
@@ -53,38 +54,6 @@ int allowed_seconds() {
 }
 
 void note_timeout() { std::ofstream(environment("TUMBLE_TIMEOUTS"), std::ios::app) << '.'; }
-
-/// A line of /proc; empty where there is none.
-std::string line_of_process(pid_t process, const std::string& file) {
-  std::string line;
-  std::ifstream stream("/proc/" + std::to_string(process) + "/" + file);
-  std::getline(stream, line);
-  return line;
-}
-
-/// The innermost process of a chain of parents and first children: in the box, the driver.
-pid_t innermost(pid_t process) {
-  for (int depth = 0; depth < 8; ++depth) {
-    const std::string file = "task/" + std::to_string(process) + "/children";
-    const int child = std::atoi(line_of_process(process, file).c_str());
-    if (child <= 0) break;
-    process = child;
-  }
-  return process;
-}
-
-/// Which process sleeps and what it has computed so far; empty where it computes, or waits for a
-/// processor or for memory, as it may on a loaded machine. See proc(5), stat.
-std::string sleep_of(pid_t process) {
-  const std::string line = line_of_process(innermost(process), "stat");
-  const std::size_t name_ends = line.rfind(')');
-  if (name_ends == std::string::npos) return "";
-  std::istringstream fields(line.substr(name_ends + 1));
-  std::vector<std::string> words;
-  for (std::string word; words.size() < 13 && fields >> word;) words.push_back(word);
-  if (words.size() < 13 || words[0] != "S") return "";
-  return line.substr(0, line.find(' ')) + " " + words[11] + " " + words[12];
-}
 
 std::vector<std::string> command_line() {
   const std::string file = environment("TUMBLE_WORKER");

@@ -25,9 +25,8 @@ sys.path.insert(0, str(ROOT / "common" / "command"))
 from tumble.grading.points import FULL, graded_labs, read_table  # noqa: E402
 from tumble.labs import Lab  # noqa: E402
 
-_MUTANT = re.compile(r'add_mutant\(\S+ (\w+) ([\d.]+)\s+((?:"(?:[^"\\]|\\.)*"\s*){2,3})\)',
-                     re.DOTALL)
-_STRING = re.compile(r'"((?:[^"\\]|\\.)*)"', re.DOTALL)
+from mistake_bank import mistakes  # noqa: E402
+
 _FUNCTION = re.compile(r"^\w[^\n;{}]*?\b(\w+)\([^;{}]*\)[^;{}]*\{\n.*?^\}\n",
                        re.MULTILINE | re.DOTALL)
 
@@ -46,24 +45,12 @@ def right(lab: Lab, draw: random.Random) -> Made:
     return draw.choice(answers).read_bytes(), full, full
 
 
-def mistakes(lab: Lab) -> list[tuple[str, str, str]]:
-    """Step, what is replaced, and by what."""
-    text = (ROOT / "solutions" / lab.folder / "mistakes.cmake").read_text(encoding="utf-8")
-    found = []
-    for _, step, strings in _MUTANT.findall(text):
-        find, replace = (part.replace('\\"', '"').replace("\\\\", "\\").replace("\\;", ";")
-                         for part in _STRING.findall(strings)[:2])
-        if find in reference(lab):
-            found.append((step, find, replace))
-    return found
-
-
 def wrong(lab: Lab, draw: random.Random) -> Made:
     """One mistake of the bank: its step fails, others may."""
     table = read_table(ROOT, lab)
-    step, find, replace = draw.choice(mistakes(lab))
-    most = FULL + table.bonus - table.steps[step].points
-    return reference(lab).replace(find, replace).encode("utf-8"), 0, most
+    mistake = draw.choice(mistakes(lab))
+    most = FULL + table.bonus - table.steps[mistake.step].points
+    return reference(lab).replace(mistake.find, mistake.replace).encode("utf-8"), 0, most
 
 
 def partial(lab: Lab, draw: random.Random) -> Made:

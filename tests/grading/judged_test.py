@@ -5,47 +5,28 @@ TUMBLE_ALL_MISTAKES=1,4 in the environment.
 """
 
 import os
-import re
-import shlex
 import tempfile
 import unittest
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import NamedTuple, Sequence
+from typing import Sequence
 
 from tumble.grading.judge import judge
 from tumble.grading.points import FULL, Table, expected_cases, read_table
 from tumble.grading.score import graded
-from tumble.grading.verdicts import PASS, Judged
+from tumble.grading.verdicts import NOT_WRITTEN, PASS, Judged
 from tumble.labs import Lab, find_labs
 
 from box import box_or_skip
+from mistake_bank import Mistake, mistakes
 
 ROOT = Path(__file__).resolve().parents[2]
 SEEDS = (917465328104, 350912874663)
-_WORD = r'"(?:[^"\\]|\\.)*"|[^\s"()]+'
-_MUTANT = re.compile(rf"^ *add_mutant\(((?:\s*(?:{_WORD}))+)\s*\)", re.M | re.S)
-
-
-class Mistake(NamedTuple):
-    name: str
-    step: str
-    find: str
-    replace: str
-    words: str
 
 
 def graded_labs() -> list[Lab]:
     return [lab for lab in find_labs(ROOT)
             if (ROOT / "solutions/grading" / lab.name / "proxy.cpp").exists()]
-
-
-def mistakes(lab: Lab) -> list[Mistake]:
-    text = (ROOT / "solutions" / lab.folder / "mistakes.cmake").read_text(encoding="utf-8")
-    text = re.sub(r"^ *#.*$", "", text, flags=re.M)
-    words = [[word.replace("\\n", "\n") for word in shlex.split(found)]
-             for found in _MUTANT.findall(text)]
-    return [Mistake(*each[1:6]) for each in words if len(each) == 6]
 
 
 def resting_on(table: Table, step: str) -> set[str]:
@@ -62,13 +43,18 @@ class EveryLab(unittest.TestCase):
     def setUpClass(cls) -> None:
         cls.box = box_or_skip()
 
-    def judged(self, lab: Lab, source: bytes, sanitize: bool = False) -> Judged:
+    def judged(self, lab: Lab, source: bytes, sanitize: bool) -> Judged:
         with tempfile.TemporaryDirectory(prefix="tumble-") as work:
             result = judge(ROOT, lab, source, Path(work), SEEDS, self.box, sanitize)
         self.assertTrue(result.compiled, result.diagnostics)
         self.assertEqual([(case.step, case.case) for case in result.cases],
                          list(expected_cases(ROOT, lab)))
         return result
+
+    def all_judged(self, files: Sequence[tuple[Lab, bytes, bool]]) -> list[Judged]:
+        """Of each the lab, the text, and whether the sanitizers are asked, too."""
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            return list(pool.map(lambda file: self.judged(*file), files))
 
     def require_all(self, result: Judged, word: str) -> None:
         self.assertEqual([case for case in result.cases if case.word != word], [])
@@ -78,37 +64,35 @@ class EveryLab(unittest.TestCase):
     def test_right_answers_pass(self) -> None:
         answers = [(lab, answer) for lab in graded_labs()
                    for answer in sorted((ROOT / "solutions" / lab.folder).glob("*.cpp"))]
-        with ThreadPoolExecutor(os.cpu_count()) as pool:
-            results = pool.map(lambda of: self.judged(
-                of[0], of[1].read_bytes(), of[1].name == of[0].stub.name), answers)
-            for (_, answer), result in zip(answers, results):
-                with self.subTest(answer.name):
-                    self.require_all(result, PASS)
+        results = self.all_judged([(lab, answer.read_bytes(), answer.name == lab.stub.name)
+                                   for lab, answer in answers])
+        for (_, answer), result in zip(answers, results):
+            with self.subTest(answer.name):
+                self.require_all(result, PASS)
 
     def test_nothing_of_a_stub_is_written(self) -> None:
         labs = graded_labs()
-        with ThreadPoolExecutor(os.cpu_count()) as pool:
-            results = pool.map(lambda lab: self.judged(lab, lab.stub.read_bytes()), labs)
-            for lab, result in zip(labs, results):
-                with self.subTest(lab.name):
-                    self.require_all(result, "not written yet")
+        results = self.all_judged([(lab, lab.stub.read_bytes(), False) for lab in labs])
+        for lab, result in zip(labs, results):
+            with self.subTest(lab.name):
+                self.require_all(result, NOT_WRITTEN)
 
     def test_mistakes_lose_their_step_and_what_rests_on_it(self) -> None:
         whole = os.environ.get("TUMBLE_ALL_MISTAKES", "").split(",")
-        with ThreadPoolExecutor(os.cpu_count()) as pool:
-            for lab in graded_labs():
-                text = (ROOT / "solutions" / lab.folder / lab.stub.name).read_text(encoding="utf-8")
-                bank = mistakes(lab)
-                self.assertGreaterEqual(len(bank), 8)
-                chosen = bank if str(lab.number) in whole else bank[:1]
-                for mistake in chosen:
-                    self.assertIn(mistake.find, text)
-                wrong = [text.replace(each.find, each.replace).encode() for each in chosen]
-                results = pool.map(lambda source, lab=lab: self.judged(lab, source), wrong)
-                for mistake, result in zip(chosen, results):
-                    with self.subTest(f"{lab.name} {mistake.name}"):
-                        self.require_caught(result, mistake)
-                        self.require_points(lab, result, mistake.step)
+        chosen = []
+        files = []
+        for lab in graded_labs():
+            text = (ROOT / "solutions" / lab.folder / lab.stub.name).read_text(encoding="utf-8")
+            bank = mistakes(lab)
+            self.assertGreaterEqual(len(bank), 8)
+            for mistake in bank if str(lab.number) in whole else bank[:1]:
+                self.assertIn(mistake.find, text)
+                chosen.append((lab, mistake))
+                files.append((lab, text.replace(mistake.find, mistake.replace).encode(), False))
+        for (lab, mistake), result in zip(chosen, self.all_judged(files)):
+            with self.subTest(f"{lab.name} {mistake.name}"):
+                self.require_caught(result, mistake)
+                self.require_points(lab, result, mistake.step)
 
     def require_caught(self, result: Judged, mistake: Mistake) -> None:
         own = [case for case in result.cases if case.step == mistake.step and case.word != PASS]

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ranges>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -182,16 +183,26 @@ bool descend_a(const BvhNode& a, const BvhNode& b) {
   return !is_leaf(a) && (is_leaf(b) || a_is_bigger(a, b));
 }
 
+/// Whether the boxes of two nodes overlap, of trees at rest.
+struct OverlapAtRest {
+  bool operator()(const NodePair& pair) const {
+    return overlap(a.nodes[pair.a].box, b.nodes[pair.b].box);
+  }
+
+  const Bvh& a;
+  const Bvh& b;
+};
+
 /// Calls at_leaves with each pair of leaves whose boxes overlap. Returns the number of box tests.
 ///
 /// Children are tested before they are put on the stack, and put there without a branch: which
 /// boxes overlap cannot be foretold.
 template <typename Overlap, typename AtLeaves>
-std::uint64_t for_each_pair_of_leaves(const Bvh& a, const Bvh& b, const Overlap& overlaps,
+std::uint64_t for_each_pair_of_leaves(const Bvh& a, const Bvh& b, Overlap overlaps,
                                       AtLeaves& at_leaves) {
   // A pair is at most two depths below the roots, and each level leaves one pair behind.
   std::array<NodePair, 2 * max_depth + 2> stack;
-  std::size_t size = overlaps(a.nodes[0].box, b.nodes[0].box) ? 1 : 0;
+  std::size_t size = overlaps({0, 0}) ? 1 : 0;
   stack[0] = {0, 0};
   std::uint64_t box_tests = 1;
   while (size > 0) {
@@ -207,7 +218,7 @@ std::uint64_t for_each_pair_of_leaves(const Bvh& a, const Bvh& b, const Overlap&
       const NodePair next =
           into_a ? NodePair{node_a.first + child, pair.b} : NodePair{pair.a, node_b.first + child};
       stack[size] = next;
-      size += overlaps(a.nodes[next.a].box, b.nodes[next.b].box) ? 1 : 0;
+      size += overlaps(next) ? 1 : 0;
     }
     box_tests += 2;
   }
@@ -222,7 +233,7 @@ Traversal traverse(const Bvh& a, const Bvh& b) {
     found.ends.push_back({static_cast<std::uint32_t>(&leaf_a - a.nodes.data()),
                           static_cast<std::uint32_t>(&leaf_b - b.nodes.data())});
   };
-  found.box_tests = for_each_pair_of_leaves(a, b, overlap, note);
+  found.box_tests = for_each_pair_of_leaves(a, b, OverlapAtRest{a, b}, note);
   std::sort(found.ends.begin(), found.ends.end());
   return found;
 }
@@ -368,17 +379,42 @@ bool triangles_meet(const Triangle& a, const Triangle& b) { return meet(Facet(a)
 
 namespace {
 
-/// A leaf's triangles and their boxes, where they have moved to.
+/// The largest coordinate in the box, by size [m].
+double furthest(const Box& box) {
+  return std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
+}
+
+/// From where to where some numbers reach.
+struct Span {
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = -std::numeric_limits<double>::infinity();
+};
+
+/// The span of x·direction over a triangle.
+Span span(const Triangle& triangle, const Vec3& direction) {
+  const auto& [a, b, c] = triangle;
+  const double x = direction.dot(a);
+  const double y = direction.dot(b);
+  const double z = direction.dot(c);
+  return {std::min(std::min(x, y), z), std::max(std::max(x, y), z)};
+}
+
+/// A leaf's triangles, where they have moved to, and what tells others to be apart from them: a
+/// box, and two parallel planes. A surface is thin across, so these are often close together.
 ///
 /// Bounds stand coordinate by coordinate: so a compiler compares several at once.
 struct Leaf {
-  [[nodiscard]] Box box_of_entry(Eigen::Index i) const { return {low.row(i), high.row(i)}; }
+  [[nodiscard]] Box box_of_entry(std::size_t i) const {
+    return {{low[0][i], low[1][i], low[2][i]}, {high[0][i], high[1][i], high[2][i]}};
+  }
 
   const BvhNode* node = nullptr;
-  const Triangle* corners = nullptr;  ///< by entry
-  std::vector<Triangle> moved;        ///< where they are, unless the tree is at rest
-  Box box;                            ///< the smallest around all of them
-  Eigen::ArrayX3d low, high;          ///< of each one's box: entry by coordinate [m]
+  const Triangle* corners = nullptr;             ///< by entry
+  std::vector<Triangle> moved;                   ///< where they are, unless the tree is at rest
+  std::array<std::vector<double>, 3> low, high;  ///< of each one's box: coordinate by entry [m]
+  Box box;                                       ///< the smallest around all of them
+  Vec3 normal = Vec3::Zero();                    ///< to the planes: the sum of all e × f [m²]
+  Span between;                                  ///< the planes: the span along the normal [m³]
 };
 
 /// The leaves of a tree that moves, or does not. A leaf meets several of the other tree, soon one
@@ -391,7 +427,11 @@ class Leaves {
   const Leaf& operator[](const BvhNode& node) {
     const auto index = static_cast<std::size_t>(&node - bvh_.nodes.data());
     Leaf& leaf = kept_[index % kept_.size()];
-    if (leaf.node != &node) take(node, leaf);
+    if (leaf.node != &node) {
+      take(node, leaf);
+      find_boxes(leaf);
+      find_planes(leaf);
+    }
     return leaf;
   }
 
@@ -399,22 +439,46 @@ class Leaves {
   void take(const BvhNode& node, Leaf& leaf) const {
     leaf.node = &node;
     leaf.corners = &bvh_.corners[node.first];
-    if (motion_ != nullptr) {
-      leaf.moved.resize(node.count);
-      for (std::size_t i = 0; i < node.count; ++i) {
-        leaf.moved[i] = common::transformed(*motion_, leaf.corners[i]);
+    if (motion_ == nullptr) return;
+    leaf.moved.resize(node.count);
+    const RigidTransform motion = *motion_;  // no corner that is written is part of a copy
+    for (std::size_t i = 0; i < node.count; ++i) {
+      leaf.moved[i] = common::transformed(motion, leaf.corners[i]);
+    }
+    leaf.corners = leaf.moved.data();
+  }
+
+  static void find_boxes(Leaf& leaf) {
+    const std::size_t count = leaf.node->count;
+    for (auto* bounds : {&leaf.low, &leaf.high}) {
+      for (std::vector<double>& bound : *bounds) bound.resize(count);
+    }
+    Box all;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto& [p, q, r] = leaf.corners[i];
+      const Box box{p.cwiseMin(q).cwiseMin(r), p.cwiseMax(q).cwiseMax(r)};
+      extend(all, box);
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        leaf.low[axis][i] = box.low[static_cast<Eigen::Index>(axis)];
+        leaf.high[axis][i] = box.high[static_cast<Eigen::Index>(axis)];
       }
-      leaf.corners = leaf.moved.data();
     }
-    leaf.low.resize(node.count, 3);
-    leaf.high.resize(node.count, 3);
-    leaf.box = Box{};
-    for (Eigen::Index i = 0; i < node.count; ++i) {
-      const Box box = box_of(leaf.corners[i]);
-      leaf.low.row(i) = box.low;
-      leaf.high.row(i) = box.high;
-      extend(leaf.box, box);
+    leaf.box = all;
+  }
+
+  static void find_planes(Leaf& leaf) {
+    Vec3 normal = Vec3::Zero();
+    for (std::size_t i = 0; i < leaf.node->count; ++i) {
+      const auto& [p, q, r] = leaf.corners[i];
+      normal += (q - p).cross(r - p);
     }
+    Span all;
+    for (std::size_t i = 0; i < leaf.node->count; ++i) {
+      const auto [least, greatest] = span(leaf.corners[i], normal);
+      all = {std::min(all.least, least), std::max(all.greatest, greatest)};
+    }
+    leaf.normal = normal;
+    leaf.between = all;
   }
 
   const Bvh& bvh_;
@@ -422,40 +486,59 @@ class Leaves {
   std::vector<Leaf> kept_;
 };
 
-/// Which entries of a leaf have boxes that overlap a box. That cannot be foretold: all are compared
-/// and listed without a branch, as in the traversal.
-class Near {
+/// A list of entries of a leaf. Which come near another leaf cannot be foretold: all are asked, and
+/// listed without a branch, as in the traversal.
+class Listed {
  public:
-  void look(const Leaf& leaf, const Box& box) {
-    const std::size_t count = leaf.node->count;
-    if (entries_.size() < count) {
-      entries_.resize(count);
-      is_near_.resize(count);
+  /// Lists those of the given ones, which may be this list itself, for which it holds.
+  template <typename Given, typename Holds>
+  void list(const Given& given, const Holds& holds) {
+    if (entries_.size() < given.size()) entries_.resize(given.size());
+    std::size_t size = 0;
+    for (const std::uint32_t i : given) {
+      entries_[size] = i;
+      size += holds(i) ? 1 : 0;
     }
-    std::fill_n(is_near_.begin(), count, 1);
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      const double* const low = leaf.low.col(axis).data();
-      const double* const high = leaf.high.col(axis).data();
-      for (std::size_t i = 0; i < count; ++i) {
-        is_near_[i] &= static_cast<std::int64_t>(low[i] <= box.high[axis]) &
-                       static_cast<std::int64_t>(box.low[axis] <= high[i]);
-      }
-    }
-    size_ = 0;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      entries_[size_] = i;
-      size_ += static_cast<std::size_t>(is_near_[i]);
-    }
+    size_ = size;
   }
 
+  /// Lists those of a leaf that come into the box of another, and between its planes.
+  void list_near(const Leaf& leaf, const Leaf& other) {
+    compare_boxes(leaf, other.box);
+    list(std::views::iota(0U, leaf.node->count), [&](std::uint32_t i) { return in_box_[i] != 0; });
+    const auto [least, greatest] = other.between;
+    // Two products n·x are compared, each rounded by no more than 3 times 2⁻⁵³ of |n| |x|.
+    const double rounding =
+        2e-15 * other.normal.cwiseAbs().sum() * std::max(furthest(leaf.box), furthest(other.box));
+    list(*this, [&](std::uint32_t i) {
+      const Span reach = span(leaf.corners[i], other.normal);
+      return (static_cast<int>(reach.least <= greatest + rounding) &
+              static_cast<int>(reach.greatest >= least - rounding)) != 0;
+    });
+  }
+
+  [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] bool empty() const { return size_ == 0; }
   [[nodiscard]] auto begin() const { return entries_.begin(); }
   [[nodiscard]] auto end() const { return begin() + static_cast<std::ptrdiff_t>(size_); }
 
  private:
+  void compare_boxes(const Leaf& leaf, const Box& box) {
+    const std::size_t count = leaf.node->count;
+    in_box_.assign(count, 1);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double low = box.low[static_cast<Eigen::Index>(axis)];
+      const double high = box.high[static_cast<Eigen::Index>(axis)];
+      for (std::size_t i = 0; i < count; ++i) {
+        in_box_[i] &= static_cast<std::int64_t>(leaf.low[axis][i] <= high) &
+                      static_cast<std::int64_t>(low <= leaf.high[axis][i]);
+      }
+    }
+  }
+
   std::vector<std::uint32_t> entries_;
-  std::size_t size_ = 0;               ///< of the entries, that hold
-  std::vector<std::int64_t> is_near_;  ///< 1 or 0, as wide as what is compared
+  std::size_t size_ = 0;              ///< of the entries, that are listed
+  std::vector<std::int64_t> in_box_;  ///< 1 or 0, as wide as what is compared
 };
 
 /// The narrow phase: all triangles of a leaf of a with all of a leaf of b.
@@ -469,12 +552,16 @@ class LeafTest {
     const Leaf& leaf_a = leaves_a_[node_a];
     const Leaf& leaf_b = leaves_b_[node_b];
     if (!overlap(leaf_a.box, leaf_b.box)) return;
-    near_a_.look(leaf_a, leaf_b.box);
+    near_a_.list_near(leaf_a, leaf_b);
+    if (near_a_.empty()) return;
+    near_b_.list_near(leaf_b, leaf_a);
+    if (near_b_.empty()) return;
     for (const std::uint32_t i : near_a_) {
-      near_b_.look(leaf_b, leaf_a.box_of_entry(i));
-      if (near_b_.empty()) continue;
+      const Box box = leaf_a.box_of_entry(i);
+      close_.list(near_b_, [&](std::uint32_t j) { return overlap(box, leaf_b.box_of_entry(j)); });
+      if (close_.empty()) continue;
       const Facet facet(leaf_a.corners[i]);
-      for (const std::uint32_t j : near_b_) {
+      for (const std::uint32_t j : close_) {
         if (!meet(facet, leaf_b.corners[j])) continue;
         found.pairs.push_back({a_.triangles[node_a.first + i], b_.triangles[node_b.first + j]});
       }
@@ -488,15 +575,16 @@ class LeafTest {
   const Bvh& b_;
   Leaves leaves_a_;
   Leaves leaves_b_;
-  Near near_a_;  ///< to the leaf of b
-  Near near_b_;  ///< to one triangle of the leaf of a
+  Listed near_a_;  ///< of the leaf of a: near the leaf of b
+  Listed near_b_;  ///< of the leaf of b: near the leaf of a
+  Listed close_;   ///< of these: close to one triangle of a
 };
 
 }  // namespace
 
 Intersections find_intersections(const Bvh& a, const Bvh& b) {
   LeafTest test(a, b, nullptr);
-  test.found.box_tests = for_each_pair_of_leaves(a, b, overlap, test);
+  test.found.box_tests = for_each_pair_of_leaves(a, b, OverlapAtRest{a, b}, test);
   std::sort(test.found.pairs.begin(), test.found.pairs.end());
   return std::move(test.found);
 }
@@ -605,40 +693,72 @@ Bvh build_sah(const TriangleMesh& mesh, int leaf_size, int bins) {
 
 namespace {
 
-/// Whether a box of a may overlap a box of b that is moved: it says no only where one of the three
-/// directions of either box parts them. Gottschalk, Lin, Manocha 1996, of whose fifteen directions
-/// these six cost least.
-class MovedOverlap {
+/// A tree's boxes where they have moved to: around each, a box by (9). A node meets several of the
+/// other tree, soon one after the other: so the last few are kept.
+class MovedBoxes {
  public:
-  MovedOverlap(const Bvh& a, const Bvh& b, const RigidTransform& a_from_b)
-      : R_(a_from_b.rotation), R_size_(R_.cwiseAbs()), t_(a_from_b.translation) {
-    const double skewness = (R_.transpose() * R_ - common::Mat3::Identity()).cwiseAbs().sum();
-    const double size = furthest(a) + t_.cwiseAbs().sum() + R_size_.sum() * furthest(b);
-    margin_ = (1e-14 + 4.0 * skewness) * size;
-  }
+  MovedBoxes(const Bvh& bvh, const RigidTransform& motion, double margin)
+      : bvh_(bvh), motion_(motion), R_size_(motion.rotation.cwiseAbs()), margin_(margin) {}
 
-  /// All lengths are doubled: so they need not be halved.
-  bool operator()(const Box& a, const Box& b) const {
-    const Vec3 sides_a = a.high - a.low;
-    const Vec3 sides_b = b.high - b.low;
-    const Vec3 d = R_ * (b.low + b.high) + (2.0 * t_ - (a.low + a.high));
-    const Vec3 gap_along_a = d.cwiseAbs() - (sides_a + R_size_ * sides_b);
-    if (!(gap_along_a.maxCoeff() <= margin_)) return false;
-    const Vec3 gap_along_b =
-        (R_.transpose() * d).cwiseAbs() - (sides_b + R_size_.transpose() * sides_a);
-    return gap_along_b.maxCoeff() <= margin_;
+  const Box& operator[](std::uint32_t node) {
+    Kept& kept = kept_[node % kept_.size()];
+    if (kept.node != node) kept = {moved(bvh_.nodes[node].box), node};
+    return kept.box;
   }
 
  private:
-  static double furthest(const Bvh& bvh) {
-    const Box& box = bvh.nodes[0].box;
-    return std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
+  struct Kept {
+    Box box;
+    std::uint32_t node = std::numeric_limits<std::uint32_t>::max();
+  };
+
+  [[nodiscard]] Box moved(const Box& box) const {
+    const Vec3 c = common::transformed(motion_, 0.5 * (box.low + box.high));
+    const Vec3 h = R_size_ * (0.5 * (box.high - box.low)) + Vec3::Constant(margin_);
+    return {c - h, c + h};
   }
 
-  common::Mat3 R_;
+  const Bvh& bvh_;
+  RigidTransform motion_;
   common::Mat3 R_size_;
-  Vec3 t_;
-  double margin_ = 0.0;  ///< more than all roundings together
+  double margin_;  ///< more than all roundings together
+  std::array<Kept, 256> kept_;
+};
+
+/// Whether a box of a may overlap a box of b that is moved. Each is moved to the other's frame: so
+/// it says no only where one of the three directions of either box parts them. Gottschalk, Lin,
+/// Manocha 1996, of whose fifteen directions these six cost least.
+class MovedOverlap {
+ public:
+  MovedOverlap(const Bvh& a, const Bvh& b, const RigidTransform& a_from_b)
+      : at_rest_{a, b},
+        a_in_b_(a, inverse(a_from_b), margin(a, b, a_from_b)),
+        b_in_a_(b, a_from_b, margin(a, b, a_from_b)) {}
+
+  bool operator()(const NodePair& pair) {
+    const auto& [a, b] = at_rest_;
+    return overlap(a.nodes[pair.a].box, b_in_a_[pair.b]) &&
+           overlap(a_in_b_[pair.a], b.nodes[pair.b].box);
+  }
+
+ private:
+  /// Up to as much as R is no rotation, which the margin holds.
+  static RigidTransform inverse(const RigidTransform& motion) {
+    const common::Mat3 back = motion.rotation.transpose();
+    return {back, -(back * motion.translation)};
+  }
+
+  static double margin(const Bvh& a, const Bvh& b, const RigidTransform& a_from_b) {
+    const common::Mat3& R = a_from_b.rotation;
+    const double skewness = (R.transpose() * R - common::Mat3::Identity()).cwiseAbs().sum();
+    const double size = furthest(a.nodes[0].box) + a_from_b.translation.cwiseAbs().sum() +
+                        (1.0 + R.cwiseAbs().sum()) * furthest(b.nodes[0].box);
+    return (1e-14 + 4.0 * skewness) * size;
+  }
+
+  OverlapAtRest at_rest_;
+  MovedBoxes a_in_b_;
+  MovedBoxes b_in_a_;
 };
 
 }  // namespace

@@ -141,9 +141,9 @@ add_mutant(${lab} pairs_of_leaves_twice 5.4
 
 # The order in which they are found is believed to be the sorted one.
 add_mutant(${lab} ends_unsorted 5.4
-  "for_each_pair_of_leaves(a, b, overlap, note);
+  "for_each_pair_of_leaves(a, b, OverlapAtRest{a, b}, note);
   std::sort(found.ends.begin(), found.ends.end());"
-  "for_each_pair_of_leaves(a, b, overlap, note);" "not sorted")
+  "for_each_pair_of_leaves(a, b, OverlapAtRest{a, b}, note);" "not sorted")
 
 # ---- 5.5 ----
 
@@ -184,9 +184,9 @@ add_mutant(${lab} pair_swapped 5.5
 
 # The order in which they are found is believed to be the sorted one.
 add_mutant(${lab} pairs_unsorted 5.5
-  "for_each_pair_of_leaves(a, b, overlap, test);
+  "for_each_pair_of_leaves(a, b, OverlapAtRest{a, b}, test);
   std::sort(test.found.pairs.begin(), test.found.pairs.end());"
-  "for_each_pair_of_leaves(a, b, overlap, test);" "not sorted")
+  "for_each_pair_of_leaves(a, b, OverlapAtRest{a, b}, test);" "not sorted")
 
 # A test of two leaves is counted as one.
 add_mutant(${lab} leaf_pairs_counted 5.5
@@ -208,6 +208,12 @@ add_mutant(${lab} shadows_by_rounding 5.5
       return area > 0.0 ? 1 : area < 0.0 ? -1 : 0;
     };
     const Signs s{turn(b[0]), turn(b[1]), turn(b[2])};" "")
+
+# Planes are believed to need no margin.
+add_mutant(${lab} planes_without_margin 5.5
+  "const double rounding =
+        2e-15 * other" "const double rounding =
+        0.0 * other" "")
 
 # ---- 5.6 ----
 
@@ -259,15 +265,15 @@ add_mutant(${lab} moved_without_shift 5.7
   "turned but not shifted")
 
 # The half sides are turned like a vector.
-add_mutant(${lab} moved_box_too_small 5.7 "R_size_(R_.cwiseAbs())" "R_size_(R_)" "")
+add_mutant(${lab} moved_box_too_small 5.7 "R_size_(motion.rotation.cwiseAbs())" "R_size_(motion.rotation)" "")
 
 # Rounding is forgotten.
 add_mutant(${lab} moved_box_without_margin 5.7
-  "margin_ = (1e-14 + 4.0 * skewness) * size;" "margin_ = 0.0 * skewness * size;" "")
+  "return (1e-14 + 4.0 * skewness) * size;" "return 0.0 * skewness * size;" "")
 
 # A margin is believed to cost nothing.
 add_mutant(${lab} moved_box_too_wide 5.7
-  "margin_ = (1e-14 + 4.0 * skewness) * size;" "margin_ = (0.02 + 4.0 * skewness) * size;" "")
+  "return (1e-14 + 4.0 * skewness) * size;" "return (0.02 + 4.0 * skewness) * size;" "")
 
 # The leaves are thought of, their parents are not.
 add_mutant(${lab} refit_of_leaves 5.7
@@ -287,5 +293,6 @@ add_mutant(${lab} refit_without_corners 5.7
 
 # Rounding is thought of where b arrives, not where it was.
 add_mutant(${lab} moved_margin_of_the_shift 5.7
-  "const double size = furthest(a) + t_.cwiseAbs().sum() + R_size_.sum() * furthest(b);"
-  "const double size = t_.cwiseAbs().sum();" "")
+  "const double size = furthest(a.nodes[0].box) + a_from_b.translation.cwiseAbs().sum() +
+                        (1.0 + R.cwiseAbs().sum()) * furthest(b.nodes[0].box);"
+  "const double size = a_from_b.translation.cwiseAbs().sum();" "")

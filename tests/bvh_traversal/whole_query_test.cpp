@@ -124,6 +124,25 @@ TEST_CASE("Meshes that share a plane or corners give the pairs of brute force", 
   }
 }
 
+TEST_CASE("Meshes in one tilted plane give the pairs of brute force", "[5.5]") {
+  // Corners i u + j v + w of whole numbers are exact, and so they are in one plane; but n·x of a
+  // normal n has too many digits, so planes through the corners seem to differ.
+  tests::Random random(63);
+  for (int index = 1; index <= 10; ++index) {
+    const auto whole = [&] { return std::round(random.uniform(-1.0, 1.0) * 0x1p24); };
+    const Vec3 u(whole(), whole(), whole());
+    const Vec3 v(whole(), whole(), whole());
+    const Vec3 w(whole(), whole(), whole());
+    const auto tilted = [&](double i, double j) {
+      TriangleMesh mesh = common::flat_grid(4);
+      for (Vec3& x : mesh.vertices) x = (x.x() + i) * u + (x.y() + j) * v + w;
+      return mesh;
+    };
+    const Meshes meshes{"one tilted plane", tilted(0.0, 0.0), tilted(index % 4 + 0.25, 1.5)};
+    CHECK(expect_brute_force(meshes, static_cast<std::size_t>(1 + index % 3), index, 10) > 0);
+  }
+}
+
 TEST_CASE("A gap however small gives no pair", "[5.5]") {
   const TriangleMesh grid = common::flat_grid(8);
   const TriangleMesh raised = common::scaled(grid, Vec3::Ones(), Vec3(0.3, 0.2, 1.0));

@@ -143,9 +143,15 @@ namespace {
 
 bool is_leaf(const BvhNode& node) { return node.count > 0; }
 
+/// Half of (4) of a box that holds something.
+inline double half_area(const Box& box) {
+  const Vec3 side = box.high - box.low;
+  return side.x() * side.y() + side.y() * side.z() + side.z() * side.x();
+}
+
 /// Of the two nodes: the one whose box has the larger surface area, a where they are equal.
 bool a_is_bigger(const BvhNode& a, const BvhNode& b) {
-  return surface_area(a.box) >= surface_area(b.box);
+  return half_area(a.box) >= half_area(b.box);
 }
 
 }  // namespace
@@ -271,15 +277,17 @@ struct Facet {
 /// exactly where it is not.
 Signs sides(const Facet& facet, const Triangle& points) {
   const auto& [plane, n, size] = facet;
+  const Triangle d{points[0] - plane[0], points[1] - plane[0], points[2] - plane[0]};
+  const Vec3 furthest = d[0].cwiseAbs().cwiseMax(d[1].cwiseAbs()).cwiseMax(d[2].cwiseAbs());
+  // Each of the six products of three differences is rounded less than a dozen times by 2⁻⁵³.
+  const double error = 2e-15 * size.dot(furthest) + 1e-240;
   Signs signs{};
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3 d = points[i] - plane[0];
-    const double distance = n.dot(d);
-    // Each of the six products of three differences is rounded less than a dozen times by 2⁻⁵³.
-    const double error = 2e-15 * size.dot(d.cwiseAbs()) + 1e-240;
-    signs[i] = distance > error    ? 1
-               : distance < -error ? -1
-                                   : orientation(plane[0], plane[1], plane[2], points[i]);
+    const double distance = n.dot(d[i]);
+    signs[i] = static_cast<int>(distance > error) - static_cast<int>(distance < -error);
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (signs[i] == 0) signs[i] = orientation(plane[0], plane[1], plane[2], points[i]);
   }
   return signs;
 }
@@ -390,8 +398,8 @@ struct Span {
   double greatest = -std::numeric_limits<double>::infinity();
 };
 
-/// The span of x·direction over a triangle.
-Span span(const Triangle& triangle, const Vec3& direction) {
+/// The span of x·direction over a triangle. Inline, as all triangles of a leaf are asked.
+inline Span span(const Triangle& triangle, const Vec3& direction) {
   const auto& [a, b, c] = triangle;
   const double x = direction.dot(a);
   const double y = direction.dot(b);
@@ -422,7 +430,7 @@ struct Leaf {
 class Leaves {
  public:
   /// motion  of the tree; null where it rests
-  Leaves(const Bvh& bvh, const RigidTransform* motion) : bvh_(bvh), motion_(motion), kept_(64) {}
+  Leaves(const Bvh& bvh, const RigidTransform* motion) : bvh_(bvh), motion_(motion), kept_(128) {}
 
   const Leaf& operator[](const BvhNode& node) {
     const auto index = static_cast<std::size_t>(&node - bvh_.nodes.data());
@@ -722,7 +730,7 @@ class MovedBoxes {
   RigidTransform motion_;
   common::Mat3 R_size_;
   double margin_;  ///< more than all roundings together
-  std::array<Kept, 256> kept_;
+  std::array<Kept, 1024> kept_;
 };
 
 /// Whether a box of a may overlap a box of b that is moved. Each is moved to the other's frame: so

@@ -168,9 +168,9 @@ add_mutant(${lab} planes_are_enough 5.5
 
 # Doubles are believed.
 add_mutant(${lab} sides_by_rounding 5.5
-  "const double error = 2e-15 * size.dot(d.cwiseAbs()) + 1e-240;"
-  "if (distance == 0.0) continue;
-    const double error = 0.0 * size.x();" "decided by rounding")
+  "if (signs[i] == 0) signs[i] = orientation(plane[0], plane[1], plane[2], points[i]);"
+  "signs[i] = static_cast<int>(n.dot(d[i]) > 0.0) - static_cast<int>(n.dot(d[i]) < 0.0);"
+  "decided by rounding")
 
 # A segment is believed to be no triangle.
 add_mutant(${lab} segments_dropped 5.5
@@ -195,8 +195,8 @@ add_mutant(${lab} leaf_pairs_counted 5.5
 
 # A small number is believed to be zero, whatever the size of the triangles.
 add_mutant(${lab} sides_by_threshold 5.5
-  "const double error = 2e-15 * size.dot(d.cwiseAbs()) + 1e-240;"
-  "const double error = 1e-14 + 0.0 * size.x();" "")
+  "const double error = 2e-15 * size.dot(furthest) + 1e-240;"
+  "const double error = 1e-14 + 0.0 * size.dot(furthest);" "")
 
 # Shadows are believed to need no exact arithmetic.
 add_mutant(${lab} shadows_by_rounding 5.5

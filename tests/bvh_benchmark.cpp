@@ -21,7 +21,7 @@ using common::WideBvh;
 
 namespace {
 
-constexpr int leaf_size = 32;
+constexpr int leaf_size = 64;
 constexpr int bins = 16;
 
 /// Anything that builds two trees, and anything that asks them.

@@ -80,10 +80,10 @@ render::Method method(const std::string& name, render::Colour colour, const Shar
 const std::vector<double> sizes = render::ladder(1000, 1000000, 10);
 
 std::vector<render::Method> methods(const SharedProblem& problem) {
-  return {method("halves, leaves of 16", palette::orange, problem, sizes, by_halves(16)),
+  return {method("halves, leaves of 64", palette::orange, problem, sizes, by_halves(64)),
           method("heuristic, leaves of 1", palette::purple, problem, sizes, by_sah(1)),
-          method("heuristic, leaves of 4", palette::sky, problem, sizes, by_sah(4)),
-          method("heuristic, leaves of 16", palette::blue, problem, sizes, by_sah(16)),
+          method("heuristic, leaves of 8", palette::sky, problem, sizes, by_sah(8)),
+          method("heuristic, leaves of 64", palette::blue, problem, sizes, by_sah(64)),
           method("eight-fold nodes", palette::green, problem, sizes, by_eights)};
 }
 

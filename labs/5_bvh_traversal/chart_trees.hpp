@@ -109,7 +109,7 @@ inline Bvh in_floats(Bvh bvh) {
 }
 
 inline Ask in_float_boxes(const ShapePair& shapes) {
-  return asked(in_floats(build_sah(shapes.a, 16, 16)), in_floats(build_sah(shapes.b, 16, 16)),
+  return asked(in_floats(build_sah(shapes.a, 64, 16)), in_floats(build_sah(shapes.b, 64, 16)),
                shapes);
 }
 

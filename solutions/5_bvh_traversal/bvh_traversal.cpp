@@ -494,6 +494,27 @@ class Leaves {
   std::vector<Leaf> kept_;
 };
 
+/// More than all roundings together where products of a leaf's normal n with what is in it and in
+/// another leaf are compared: each is rounded by no more than some 2⁻⁵³ of |n| |x|.
+double rounding(const Leaf& leaf, const Leaf& other) {
+  return 2e-14 * leaf.normal.cwiseAbs().sum() * std::max(furthest(leaf.box), furthest(other.box));
+}
+
+/// Whether a leaf's planes part it from another. How far the other reaches along their normal n is
+/// told by its own planes, of normal m, as far as n has to do with m, and else by its box:
+/// x·n = k x·m + x·(n − k m).
+bool parted_by_planes(const Leaf& leaf, const Leaf& other) {
+  const double k = leaf.normal.dot(other.normal) / other.normal.squaredNorm();
+  const Vec3 rest = leaf.normal - k * other.normal;
+  const auto& [least, greatest] = other.between;
+  const double middle = 0.5 * (k * (least + greatest) + rest.dot(other.box.low + other.box.high));
+  const double half = 0.5 * (std::abs(k) * (greatest - least) +
+                             rest.cwiseAbs().dot(other.box.high - other.box.low)) +
+                      rounding(leaf, other);
+  // Where m is zero these are NaN, and part nothing.
+  return middle - half > leaf.between.greatest || middle + half < leaf.between.least;
+}
+
 /// A list of entries of a leaf. Which come near another leaf cannot be foretold: all are asked, and
 /// listed without a branch, as in the traversal.
 class Listed {
@@ -514,14 +535,12 @@ class Listed {
   void list_near(const Leaf& leaf, const Leaf& other) {
     compare_boxes(leaf, other.box);
     list(std::views::iota(0U, leaf.node->count), [&](std::uint32_t i) { return in_box_[i] != 0; });
-    const auto [least, greatest] = other.between;
-    // Two products n·x are compared, each rounded by no more than 3 times 2⁻⁵³ of |n| |x|.
-    const double rounding =
-        2e-15 * other.normal.cwiseAbs().sum() * std::max(furthest(leaf.box), furthest(other.box));
+    const double least = other.between.least - rounding(other, leaf);
+    const double greatest = other.between.greatest + rounding(other, leaf);
     list(*this, [&](std::uint32_t i) {
       const Span reach = span(leaf.corners[i], other.normal);
-      return (static_cast<int>(reach.least <= greatest + rounding) &
-              static_cast<int>(reach.greatest >= least - rounding)) != 0;
+      return (static_cast<int>(reach.least <= greatest) &
+              static_cast<int>(reach.greatest >= least)) != 0;
     });
   }
 
@@ -559,7 +578,10 @@ class LeafTest {
     found.triangle_tests += std::uint64_t{node_a.count} * node_b.count;
     const Leaf& leaf_a = leaves_a_[node_a];
     const Leaf& leaf_b = leaves_b_[node_b];
-    if (!overlap(leaf_a.box, leaf_b.box)) return;
+    if (!overlap(leaf_a.box, leaf_b.box) || parted_by_planes(leaf_a, leaf_b) ||
+        parted_by_planes(leaf_b, leaf_a)) {
+      return;
+    }
     near_a_.list_near(leaf_a, leaf_b);
     if (near_a_.empty()) return;
     near_b_.list_near(leaf_b, leaf_a);

@@ -211,9 +211,7 @@ add_mutant(${lab} shadows_by_rounding 5.5
 
 # Planes are believed to need no margin.
 add_mutant(${lab} planes_without_margin 5.5
-  "const double rounding =
-        2e-15 * other" "const double rounding =
-        0.0 * other" "")
+  "return 2e-14 * leaf.normal" "return 0.0 * leaf.normal" "")
 
 # ---- 5.6 ----
 

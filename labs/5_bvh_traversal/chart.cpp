@@ -116,7 +116,7 @@ render::ChartPlan plan(bool with_peers) {
       {method("brute force", palette::ink, at_rest, {100, 300, 1000, 3000}, brute_force),
        method("as first written", palette::vermilion, at_rest, sizes, as_first_written)});
   of_tori.push_back(
-      method("the same, boxes in floats", palette::grey, at_rest, sizes, in_float_boxes));
+      method("heuristic, boxes in floats", palette::grey, at_rest, sizes, in_float_boxes));
   render::ChartPlan plan;
   plan.charts = {
       chart("chart", "Two tori that meet: culling against computing time",

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ranges>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -494,10 +494,10 @@ class Leaves {
   std::vector<Leaf> kept_;
 };
 
-/// More than all roundings together where products of a leaf's normal n with what is in it and in
-/// another leaf are compared: each is rounded by no more than some 2⁻⁵³ of |n| |x|.
-double rounding(const Leaf& leaf, const Leaf& other) {
-  return 2e-14 * leaf.normal.cwiseAbs().sum() * std::max(furthest(leaf.box), furthest(other.box));
+/// More than all roundings together where products n·x with what is in two leaves are compared:
+/// each is rounded by no more than some 2⁻⁵³ of |n| |x|.
+double rounding(const Vec3& n, const Leaf& a, const Leaf& b) {
+  return 2e-14 * n.cwiseAbs().sum() * std::max(furthest(a.box), furthest(b.box));
 }
 
 /// Whether a leaf's planes part it from another. How far the other reaches along their normal n is
@@ -510,7 +510,7 @@ bool parted_by_planes(const Leaf& leaf, const Leaf& other) {
   const double middle = 0.5 * (k * (least + greatest) + rest.dot(other.box.low + other.box.high));
   const double half = 0.5 * (std::abs(k) * (greatest - least) +
                              rest.cwiseAbs().dot(other.box.high - other.box.low)) +
-                      rounding(leaf, other);
+                      rounding(leaf.normal, leaf, other);
   // Where m is zero these are NaN, and part nothing.
   return middle - half > leaf.between.greatest || middle + half < leaf.between.least;
 }
@@ -531,12 +531,20 @@ class Listed {
     size_ = size;
   }
 
+  void list_all(const Leaf& leaf) {
+    size_ = leaf.node->count;
+    if (entries_.size() < size_) entries_.resize(size_);
+    std::iota(entries_.begin(), entries_.begin() + static_cast<std::ptrdiff_t>(size_), 0U);
+  }
+
   /// Lists those of a leaf that come into the box of another, and between its planes.
   void list_near(const Leaf& leaf, const Leaf& other) {
     compare_boxes(leaf, other.box);
-    list(std::views::iota(0U, leaf.node->count), [&](std::uint32_t i) { return in_box_[i] != 0; });
-    const double least = other.between.least - rounding(other, leaf);
-    const double greatest = other.between.greatest + rounding(other, leaf);
+    list_all(leaf);
+    list(*this, [&](std::uint32_t i) { return in_box_[i] != 0; });
+    const double margin = rounding(other.normal, leaf, other);
+    const double least = other.between.least - margin;
+    const double greatest = other.between.greatest + margin;
     list(*this, [&](std::uint32_t i) {
       const Span reach = span(leaf.corners[i], other.normal);
       return (static_cast<int>(reach.least <= greatest) &

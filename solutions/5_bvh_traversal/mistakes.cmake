@@ -211,7 +211,7 @@ add_mutant(${lab} shadows_by_rounding 5.5
 
 # Planes are believed to need no margin.
 add_mutant(${lab} planes_without_margin 5.5
-  "return 2e-14 * leaf.normal" "return 0.0 * leaf.normal" "")
+  "return 2e-14 * n.cwiseAbs" "return 0.0 * n.cwiseAbs" "")
 
 # ---- 5.6 ----
 

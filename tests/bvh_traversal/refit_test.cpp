@@ -107,6 +107,12 @@ TEST_CASE("A refit shrinks with the mesh and of one leaf is that leaf", "[5.7]")
   expect_refit(mesh, small, 100, 2, 2);
 }
 
+TEST_CASE("A large mesh is refitted at once", "[5.7]") {
+  // A pass over the whole tree for each of its nodes comes to no end.
+  const TriangleMesh mesh = common::bumpy_torus(100000);
+  expect_refit(mesh, common::scaled(mesh, Vec3(1.0, 2.0, 1.0)), 1, 1, 1);
+}
+
 TEST_CASE("A refit refuses another number of triangles and a broken mesh", "[5.7]") {
   const TriangleMesh mesh = common::bumpy_torus(36);
   const Bvh bvh = tests::tree_of(mesh, 4);

@@ -124,15 +124,17 @@ render::ChartPlan plan(bool with_peers) {
   render::ChartPlan plan;
   plan.charts = {
       chart("chart", "Two tori that meet: culling against computing time",
-            "1k, 10k, 100k and 1M triangles each, brute force 100 to 3k; a cross: pairs are lost",
+            "1k to 1M triangles each, leaves of 64 to 100k, brute force 100 to 3k; a cross: pairs "
+            "are lost",
             of_tori),
-      chart("turned", "Two spheres that meet, one turned: culling against computing time",
-            "1k, 10k, 100k and 1M triangles each; a new pose, but no new tree (Embree's is made "
-            "anew)",
-            methods(turned_spheres)),
+      chart(
+          "turned", "Two spheres that meet, one turned: culling against computing time",
+          "1k to 1M triangles each, leaves of 64 to 100k; a new pose, but no new tree (Embree's is "
+          "made anew)",
+          methods(turned_spheres)),
       chart("shells", "A sphere around another: where boxes lose",
             "none meet, but boxes along the axes see no gap of 0.3 edges: the work grows as n; 1k "
-            "to 1M",
+            "to 1M, leaves of 64 to 100k",
             methods(apart))};
   plan.charts.back().chart.error_unit = "per triangle";
   if (!with_peers) return plan;

@@ -263,7 +263,8 @@ add_mutant(${lab} moved_without_shift 5.7
   "turned but not shifted")
 
 # The half sides are turned like a vector.
-add_mutant(${lab} moved_box_too_small 5.7 "R_size_(motion.rotation.cwiseAbs())" "R_size_(motion.rotation)" "")
+add_mutant(${lab} moved_box_too_small 5.7
+  "R_size_(motion.rotation.cwiseAbs())" "R_size_(motion.rotation)" "")
 
 # Rounding is forgotten.
 add_mutant(${lab} moved_box_without_margin 5.7

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "common/eager_operators.hpp"
+
 /// What every lab shares, in finished form. SI units, radians, double precision, right-handed.
 namespace common {
 

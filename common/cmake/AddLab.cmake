@@ -1,4 +1,4 @@
-# add_lab(<name>)
+# add_lab(<name> [USES <room>...])
 #
 # Declares the lab in the current folder, labs/<N>_<name>/. Its tests, scene and chart are compiled
 # once, against the contract <name>.hpp alone, and linked with one answer after the other:
@@ -11,6 +11,8 @@
 #   mistakes.cmake     the bank of mistakes where TUMBLE_MISTAKES, see add_mutant
 # Where TUMBLE_GRADE, none of these but what judges files that are handed in, see _add_judge.
 # CTest names are <N>_<name>/<answer>/<step>/<case>; labels student, stub, right, nan, mistake.
+# What contract, answers and tests include of common/ stands in the rooms after USES, see
+# common/CMakeLists.txt: the first build of a lab takes no others.
 # A hand-out may ship without the solutions folder. Where a lab has peers.cpp, its chart can be drawn
 # against other engines: <name>_peers is that file and peers_<engine>.cpp of each that is installed.
 function(add_lab name)
@@ -19,23 +21,32 @@ function(add_lab name)
 
   add_library(${name}_contract INTERFACE)
   target_include_directories(${name}_contract INTERFACE "${CMAKE_CURRENT_SOURCE_DIR}")
-  target_link_libraries(${name}_contract INTERFACE common)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES")
+  list(TRANSFORM arg_USES PREPEND common_ OUTPUT_VARIABLE used)
+  target_link_libraries(${name}_contract INTERFACE common_headers ${used})
 
   file(GLOB test_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/tests/${name}/*.cpp")
   _read_cases(cases ${test_sources})
-  _add_program(${name}_test "${test_sources}" test_support test_support)
-  if(TUMBLE_GRADE OR TUMBLE_PROOF)
+  list(JOIN cases "\n" lines)
+  file(GENERATE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/cases.txt" CONTENT "${lines}\n")
+  _add_program(${name}_test "${test_sources}" test_support)
+  set(tests test)
+  if(TUMBLE_SHARED)
+    set(tests tests)
+    _add_tests()
+  endif()
+  if(TUMBLE_GRADE OR (TUMBLE_PROOF AND NOT TUMBLE_SHARED))
     _add_judge()
   endif()
   if(TUMBLE_GRADE)
     return()
   endif()
-  _add_program(${name}_scene scene.cpp precompiled_project_flags render_scene)
+  _add_program(${name}_scene scene.cpp render_scene common)
   if(EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/peers.cpp")
     _add_peers()
-    _add_program(${name}_chart chart.cpp precompiled_project_flags render_chart ${name}_peers)
+    _add_program(${name}_chart chart.cpp render_chart common ${name}_peers)
   else()
-    _add_program(${name}_chart chart.cpp precompiled_project_flags render_chart)
+    _add_program(${name}_chart chart.cpp render_chart common)
   endif()
 
   _add_answer(student "${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp" answer_flags PICTURES)
@@ -92,15 +103,8 @@ function(add_mutant name mistake step find replace words)
   set_tests_properties("${folder}/mistake/${step}/${mistake}" PROPERTIES LABELS mistake TIMEOUT 120)
 endfunction()
 
-# Answers are small files that include the same big headers: one precompiled header a set of flags.
-function(_add_precompiled flags)
-  add_library(precompiled_${flags} OBJECT "${PROJECT_SOURCE_DIR}/common/precompiled.cpp")
-  target_link_libraries(precompiled_${flags} PRIVATE Eigen3::Eigen ${flags})
-  target_precompile_headers(precompiled_${flags} PRIVATE "${PROJECT_SOURCE_DIR}/common/precompiled.hpp")
-endfunction()
-
 # Compiles one of the lab's programs against the contract, without an implementation of it.
-function(_add_program program sources precompiled)
+function(_add_program program sources)
   foreach(target IN LISTS ARGN)
     if(NOT TARGET ${target})
       message(STATUS "${program} is left out: no ${target}")
@@ -109,7 +113,14 @@ function(_add_program program sources precompiled)
   endforeach()
   add_library(${program} OBJECT ${sources})
   target_link_libraries(${program} PUBLIC ${name}_contract PRIVATE project_flags PUBLIC ${ARGN})
-  target_precompile_headers(${program} REUSE_FROM ${precompiled})
+  target_precompile_headers(${program} REUSE_FROM precompiled)
+endfunction()
+
+# The lab's tests with all that they need, linked once: <name>_tests, a shared library that leaves the
+# contract's functions to the program. What a save compiles and links is the student's file alone.
+function(_add_tests)
+  add_library(${name}_tests SHARED)
+  target_link_libraries(${name}_tests PRIVATE ${name}_test)
 endfunction()
 
 # An engine that is not installed costs its own file only; a lab has files for those that do its work.
@@ -133,7 +144,7 @@ function(_add_answer answer source flags)
   set(implementation ${name}_${answer})
   add_library(${implementation} OBJECT "${source}")
   target_link_libraries(${implementation} PRIVATE ${name}_contract ${flags})
-  target_precompile_headers(${implementation} REUSE_FROM precompiled_${flags})
+  target_precompile_headers(${implementation} REUSE_FROM precompiled)
   set_target_properties(${implementation} PROPERTIES UNITY_BUILD OFF)  # editors look for the file
   set(kinds test)
   if("PICTURES" IN_LIST ARGN)
@@ -142,7 +153,11 @@ function(_add_answer answer source flags)
   foreach(kind IN LISTS kinds)
     if(TARGET ${name}_${kind})
       add_executable(${implementation}_${kind})
-      target_link_libraries(${implementation}_${kind} PRIVATE ${name}_${kind} ${implementation})
+      set(program ${name}_${kind})
+      if(kind STREQUAL "test")
+        set(program test_main ${name}_${tests})
+      endif()
+      target_link_libraries(${implementation}_${kind} PRIVATE ${implementation} ${program})
     endif()
   endforeach()
 endfunction()
@@ -160,7 +175,7 @@ function(_add_judge)
   add_executable(${name}_judge_test EXCLUDE_FROM_ALL "${grading}/proxy.cpp" "${grading}/worker.cpp"
     "${grading}/sleep.cpp" "${grading}/${name}/proxy.cpp")
   target_include_directories(${name}_judge_test PRIVATE ${includes})
-  target_link_libraries(${name}_judge_test PRIVATE ${name}_test project_flags)
+  target_link_libraries(${name}_judge_test PRIVATE ${name}_test Catch2::Catch2WithMain project_flags)
   add_library(${name}_driver OBJECT EXCLUDE_FROM_ALL "${grading}/driver.cpp")
   target_include_directories(${name}_driver PRIVATE ${includes})
   target_link_libraries(${name}_driver PRIVATE ${name}_contract project_flags)
@@ -243,5 +258,7 @@ if(TUMBLE_SANITIZE)
   set(case_seconds 100)
 endif()
 
-_add_precompiled(answer_flags)
-_add_precompiled(project_flags)
+# Our files are small and include the same big headers, which are read once for all of them.
+add_library(precompiled OBJECT "${PROJECT_SOURCE_DIR}/common/precompiled.cpp")
+target_link_libraries(precompiled PRIVATE Eigen3::Eigen project_flags)
+target_precompile_headers(precompiled PRIVATE "${PROJECT_SOURCE_DIR}/common/precompiled.hpp")

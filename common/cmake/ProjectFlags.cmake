@@ -16,6 +16,9 @@ if(TUMBLE_NATIVE)
 endif()
 # While asserts are on, an index beyond a vector's end is an error that says so.
 target_compile_definitions(base_flags INTERFACE $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
+if(TUMBLE_SHARED)
+  target_compile_options(base_flags INTERFACE -fPIC)  # all alike: they share precompiled headers
+endif()
 if(TUMBLE_SANITIZE)
   set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_compile_options(base_flags INTERFACE ${sanitizers})
@@ -38,4 +41,5 @@ target_compile_options(project_flags INTERFACE
 # A stub names every parameter of the contract and uses none.
 add_library(answer_flags INTERFACE)
 target_link_libraries(answer_flags INTERFACE base_flags)
-target_compile_options(answer_flags INTERFACE -Wall -Wextra -Wno-unused-parameter)
+# (-Wpedantic changes what GCC predefines, so a precompiled header fits all of its users or none.)
+target_compile_options(answer_flags INTERFACE -Wall -Wextra -Wpedantic -Wno-unused-parameter)

@@ -1,30 +1,29 @@
-"""./tumble test: the checklist from what CTest 3.25 really writes, the first failure explained."""
+"""./tumble test: the checklist from what a test program records, the first failure explained."""
 
+import io
+import subprocess
 import unittest
 from pathlib import Path
 
 from fake_kit import LAB, KitTestCase
-from tumble import ctest
+from tumble import ctest, runner
 from tumble.outcome import outcome
 
 HERE = Path(__file__).resolve().parent
-JUNIT = HERE / "student_junit.xml"
-CONSOLE = HERE / "student_console.txt"
+RECORDS = (HERE / "student_records.txt").read_bytes()
+NAMES = (HERE / "student_cases.txt").read_text(encoding="utf-8")
 
 
 def cases() -> list:
-    lines = CONSOLE.read_text(encoding="utf-8").splitlines()
-    return ctest.read_junit(JUNIT.read_bytes(), ctest.reasons(lines))
+    ended = {record.line: record for record in runner.records(io.BytesIO(RECORDS))}
+    return runner.cases(NAMES.splitlines(), ended, f"{LAB}/student")
 
 
-def junit(*outputs: str) -> str:
-    """A record in which test i of step 1.i failed with that output, or passed where it is empty."""
-    tests = ""
-    for step, output in enumerate(outputs, 1):
-        status = "fail" if output else "run"
-        tests += (f'<testcase name="{LAB}/student/1.{step}/Case {step}" status="{status}">'
-                  f"<system-out>{output}</system-out></testcase>")
-    return f"<testsuite>{tests}</testsuite>"
+def record(line: int, output: str, end: str = "exit 1") -> bytes:
+    return f"case {line} {end} 0.01 {len(output)}\n{output}\n".encode()
+
+
+PASSED = "All tests passed (3 assertions in 1 test case)\n"
 
 
 class Outcomes(unittest.TestCase):
@@ -39,9 +38,24 @@ class Outcomes(unittest.TestCase):
         self.assertEqual(details[6], "SIGSEGV")
         self.assertTrue(details[9].startswith("vector::_M_range_check"))
 
-    def test_a_reason_may_be_followed_by_labels(self) -> None:
-        line = "\t  7 - a/b/1.1/f (x) is g (SEGFAULT)               student slow"
-        self.assertEqual(ctest.reasons([line]), {"a/b/1.1/f (x) is g": "SEGFAULT"})
+    def test_a_record_that_breaks_off_leaves_its_case_and_the_rest_not_run(self) -> None:
+        ended = {case.line: case for case in runner.records(io.BytesIO(RECORDS[:-30] + b"case 8 "))}
+        got = runner.cases([f"1.1|{number}" for number in range(12)], ended, f"{LAB}/student")
+        self.assertEqual([case.status for case in got[10:]], ["notrun", "notrun"])
+        self.assertEqual(outcome(got[11]), ("not run", "the program ended before this test"))
+
+    def test_only_what_catch_calls_passed_has_passed(self) -> None:
+        for output, end in (("Filters: b\n", "exit 0"), (PASSED, "exit 1"), (PASSED, "signal 11"),
+                            ("All tests passed (0 assertions in 1 test case)\n", "exit 0")):
+            stream = io.BytesIO(record(0, output, end))
+            ended = {case.line: case for case in runner.records(stream)}
+            self.assertFalse(runner.cases(["1.1|b"], ended, "a/student")[0].passed, (output, end))
+
+    def test_a_case_that_sleeps_and_one_that_is_not_run_say_so(self) -> None:
+        self.assertEqual(outcome(ctest.Case("a/student/1.1/b", "fail", "Waits", "")).word,
+                         "timed out")
+        self.assertIn("three cases", outcome(
+            ctest.Case("a/student/1.1/b", "notrun", "Hopeless", "")).detail)
 
     def test_a_crash_without_a_word_is_still_a_crash(self) -> None:
         case = ctest.Case("a/student/1.1/b", "fail", "ILLEGAL", "")
@@ -61,13 +75,19 @@ class Outcomes(unittest.TestCase):
 class Checklist(KitTestCase):
     def setUp(self) -> None:
         super().setUp()
-        self.record(JUNIT.read_text(encoding="utf-8"), CONSOLE.read_text(encoding="utf-8"))
+        self.kit.add_program(self.kit.root / f"build/dev/labs/{LAB}/spin_student_test",
+                             'cat "$FAKE/records"\n')
+        self.record(RECORDS, NAMES)
 
-    def record(self, text: str, console: str = "", failed: bool = True) -> None:
-        self.kit.write("fake/junit.xml", text)
-        self.kit.write("fake/console.txt", console)
-        if failed:
-            self.kit.write("fake/ctest_fails", "")
+    def record(self, records: bytes, names: str) -> None:
+        self.kit.write(f"build/dev/labs/{LAB}/cases.txt", names)
+        (self.kit.fake / "records").write_bytes(records)
+
+    def record_steps(self, *outputs: str) -> None:
+        """A case of step 1.i failed with output i, or passed where it is empty."""
+        self.record(b"".join(record(line, output or PASSED, "exit 1" if output else "exit 0")
+                             for line, output in enumerate(outputs)),
+                    "".join(f"1.{step}|Case {step}\n" for step in range(1, len(outputs) + 1)))
 
     def test_each_step_has_its_line_and_word(self) -> None:
         done = self.kit.tumble("test", "1")
@@ -114,7 +134,7 @@ class Checklist(KitTestCase):
         self.assertIn("./tumble hint 1.2", self.kit.tumble("test", "1").stdout)
 
     def test_an_untouched_stub_is_told_where_to_begin(self) -> None:
-        self.record(junit("  1.1 skew is not written yet", "  1.2 world_point is not written yet"))
+        self.record_steps("  1.1 skew is not written yet", "  1.2 world_point is not written yet")
         done = self.kit.tumble("test", "1")
         self.assertEqual(done.returncode, 1)
         self.assertIn("Nothing is written yet", done.stdout)
@@ -122,13 +142,12 @@ class Checklist(KitTestCase):
         self.assertNotIn("failure", done.stdout)
 
     def test_what_is_written_and_right_leads_to_the_next_step_and_line(self) -> None:
-        self.record(junit("", "", "  1.3 net_wrench is not written yet"))
+        self.record_steps("", "", "  1.3 net_wrench is not written yet")
         self.assertIn(f"write net_wrench of step 1.3 in labs/{LAB}/spin.cpp:2",
                       self.kit.tumble("test", "1").stdout)
 
     def test_when_all_is_right_the_exit_code_is_0(self) -> None:
-        (self.kit.fake / "ctest_fails").unlink()
-        self.record(junit("", ""), failed=False)
+        self.record_steps("", "")
         done = self.kit.tumble("test", "1")
         self.assertEqual(done.returncode, 0)
         self.assertIn("All done.", done.stdout)
@@ -147,11 +166,35 @@ class Checklist(KitTestCase):
         for noise in ("FAILED", "/usr/bin/c++", "ninja:", "[1/3]"):
             self.assertNotIn(noise, done.stderr)
 
-    def test_a_record_that_is_missing_or_broken_is_reported(self) -> None:
-        self.record("<testsuite><testcase")
-        self.assert_one_line(self.kit.tumble("test", "1"), 1)
-        (self.kit.fake / "junit.xml").unlink()
-        self.assertIn("CTest ran no tests", self.kit.tumble("test", "1").stderr)
+    def test_a_program_that_ends_before_its_first_test_is_reported(self) -> None:
+        self.record(b"", NAMES)
+        done = self.kit.tumble("test", "1")
+        self.assert_one_line(done, 1)
+        self.assertIn("before its first test", done.stderr)
+
+    def test_the_rest_of_a_hopeless_step_is_counted(self) -> None:
+        self.record(record(0, "", "timeout 0") + record(1, "", "skipped 0")
+                    + record(2, "", "skipped 0"), "1.1|A\n1.1|B\n1.1|C\n")
+        text = " ".join(self.kit.tumble("test", "1").stdout.split())
+        self.assertIn("did not end in time", text)
+        self.assertIn("2 more cases of step 1.1 were not run", text)
+
+    def test_a_second_command_waits_for_the_first_and_goes_on(self) -> None:
+        """Both find the answer right, though each would spoil what the other builds."""
+        self.record_steps("", "")
+        marks = self.kit.fake / "marks"
+        self.kit.add_tool("ninja", f'echo in >> "{marks}"; sleep 0.3; echo out >> "{marks}"\n')
+        command = [str(self.kit.root / "tumble"), "test", "1"]
+        environment = {"PATH": str(self.kit.tools), "FAKE": str(self.kit.fake), "LANG": "C.UTF-8"}
+        both = [subprocess.Popen(command, env=environment, text=True, stdout=subprocess.PIPE,
+                                 stderr=subprocess.PIPE) for _ in range(2)]
+        said = [process.communicate(timeout=60) for process in both]
+        self.assertEqual([process.returncode for process in both], [0, 0], said)
+        self.assertEqual(marks.read_text().split(), ["in", "out"] * 2)
+        waited = [errors for _, errors in said if errors]
+        self.assertEqual(len(waited), 1, said)
+        self.assertRegex(waited[0], r"\Atumble: waiting for \./tumble test 1 \(process \d+\), "
+                                    r"which uses build/dev\n\Z")
 
     def test_cmake_is_run_once_and_again_when_the_kit_was_moved(self) -> None:
         self.kit.tumble("test", "1")

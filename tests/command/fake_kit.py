@@ -37,11 +37,12 @@ case "$1" in
     echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" > "build/$2/CMakeCache.txt" ;;
   --build) case "$*" in
       *"--target help"*) [ ! -f "$FAKE/targets" ] || cat "$FAKE/targets" ;;
-      *) if [ -f "$FAKE/build_error" ]; then cat "$FAKE/build_error"; exit 1; fi ;;
     esac ;;
 esac
 """,
-    "ninja": "",
+    "ninja": """
+if [ -f "$FAKE/build_error" ]; then cat "$FAKE/build_error"; exit 1; fi
+""",
     "ctest": """
 while [ $# -gt 0 ]; do
   if [ "$1" = --output-junit ] && [ -f "$FAKE/junit.xml" ]; then cp "$FAKE/junit.xml" "$2"; fi

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import contextlib
+import fcntl
 import os
 import re
 import shutil
 import subprocess
+import sys
+import threading
 from pathlib import Path
-from typing import NamedTuple, Sequence
+from typing import IO, Iterator, NamedTuple, Sequence
 
 from .console import Failure, Progress, shortened
 
@@ -15,6 +19,49 @@ DIAGNOSTICS_LIMIT = 4096
 
 _STEP = re.compile(r"\[(\d+)/(\d+)\] ")
 _NO_TARGET = re.compile(r"ninja: error: unknown target '([^']+)'")
+
+
+_locks_here = threading.RLock()
+_held: dict[Path, int] = {}
+
+
+@contextlib.contextmanager
+def locked(root: Path, preset: str) -> Iterator[None]:
+    """Keeps other commands out of build/<preset> meanwhile; they say that they wait, and go on.
+
+    This process may ask again for a folder that it has; its threads take turns.
+    """
+    folder = build_folder(root, preset)
+    with _locks_here:
+        if folder in _held:
+            _held[folder] += 1
+            try:
+                yield
+            finally:
+                _held[folder] -= 1
+            return
+        folder.parent.mkdir(exist_ok=True)
+        with open(folder.with_name(f"{preset}.lock"), "a+", encoding="utf-8") as lock:
+            _wait_for(lock, preset)
+            _held[folder] = 1
+            try:
+                yield
+            finally:
+                del _held[folder]
+
+
+def _wait_for(lock: IO[str], preset: str) -> None:
+    """The lock ends with its file, so a command that is killed leaves none behind."""
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        lock.seek(0)
+        holder = lock.read().strip() or "another command"
+        print(f"tumble: waiting for {holder}, which uses build/{preset}", file=sys.stderr)
+        fcntl.flock(lock, fcntl.LOCK_EX)
+    lock.truncate(0)
+    lock.write(f"./tumble {' '.join(sys.argv[1:])} (process {os.getpid()})\n")
+    lock.flush()
 
 
 class Built(NamedTuple):
@@ -52,10 +99,13 @@ def configure(root: Path, preset: str, again: bool = False) -> None:
 
 def build(root: Path, preset: str, targets: Sequence[str] = ()) -> Built:
     """Configures if needed and builds; the diagnostics hold warnings, too."""
-    configure(root, preset)
-    command = ["cmake", "--build", str(build_folder(root, preset))]
-    if targets:
-        command += ["--target", *targets]
+    with locked(root, preset):
+        configure(root, preset)
+        return _run_ninja(root, preset, targets)
+
+
+def _run_ninja(root: Path, preset: str, targets: Sequence[str]) -> Built:
+    command = ["ninja", "-C", str(build_folder(root, preset)), *targets]
     environment = dict(os.environ, NINJA_STATUS="[%f/%t] ")
     lines = []
     with Progress() as progress, subprocess.Popen(
@@ -74,7 +124,8 @@ def build(root: Path, preset: str, targets: Sequence[str] = ()) -> Built:
 
 def targets(root: Path, preset: str) -> set[str]:
     """What this machine can build: scenes, for one, need off-screen GL."""
-    configure(root, preset)
+    with locked(root, preset):
+        configure(root, preset)
     listing = subprocess.run(
         ["cmake", "--build", str(build_folder(root, preset)), "--target", "help"],
         text=True, errors="replace", stdout=subprocess.PIPE).stdout

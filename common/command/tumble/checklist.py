@@ -6,7 +6,7 @@ import argparse
 from pathlib import Path
 from typing import Mapping, NamedTuple, Optional, Sequence
 
-from . import build, ctest
+from . import build, ctest, runner
 from .console import FAILED, Failure, coloured, labelled, mark, say, shortened
 from .labs import Lab, find_lab
 from .outcome import (CRASHED, ENDED_EARLY, EXCEPTION, NOT_RUN, NOT_WRITTEN, PASS, TIMED_OUT,
@@ -34,17 +34,20 @@ def run(root: Path, options: argparse.Namespace) -> int:
 
 
 def test_lab(root: Path, lab: Lab, explain_all: bool = False) -> int:
-    built = build.build(root, "dev", [f"{lab.name}_student_test"])
-    if not built.ok:
-        own_fault = f"{lab.stub.name}:" in built.diagnostics
-        blamed = lab.stub.name if own_fault else f"the test of lab {lab.number}"
-        raise Failure(f"{blamed} does not build, so nothing is tested yet",
-                      details=shortened(built.diagnostics, build.DIAGNOSTICS_LIMIT))
-    if built.diagnostics:
-        say(coloured("The compiler warns:", "yellow"),
-            shortened(built.diagnostics, build.DIAGNOSTICS_LIMIT), "")
-    tests = ctest.run_tests(build.build_folder(root, "dev"), ["-R", f"^{lab.folder}/student/"])
-    checked = [_checked(case) for case in tests.cases]
+    target = f"{lab.name}_student_test"
+    with build.locked(root, "dev"):
+        built = build.build(root, "dev", [target])
+        if not built.ok:
+            own_fault = f"{lab.stub.name}:" in built.diagnostics
+            blamed = lab.stub.name if own_fault else f"the test of lab {lab.number}"
+            raise Failure(f"{blamed} does not build, so nothing is tested yet",
+                          details=shortened(built.diagnostics, build.DIAGNOSTICS_LIMIT))
+        if built.diagnostics:
+            say(coloured("The compiler warns:", "yellow"),
+                shortened(built.diagnostics, build.DIAGNOSTICS_LIMIT), "")
+        program = build.build_folder(root, "dev") / "labs" / lab.folder / target
+        cases = runner.run_cases(program, f"{lab.folder}/student")
+    checked = [_checked(case) for case in cases]
     say(*checklist(lab, checked), "")
     say(*what_next(lab, checked, explain_all))
     return 0 if all(check.outcome.word == PASS for check in checked) else FAILED
@@ -112,13 +115,24 @@ def _explained(lab: Lab, failures: Sequence[Checked], explain_all: bool) -> list
     lines = []
     for number, failure in enumerate(shown):
         opening = "First failure: " if number == 0 else "Next failure: "
-        lines += [coloured(opening + failure.title, "bold"), *_explain(failure), ""]
+        lines += [coloured(opening + failure.title, "bold"), *_explain(failure),
+                  *_not_run(failure, failures), ""]
     lines += _help_lines(lab, failures[0].step)
     rest = len(failures) - len(shown)
     if rest:
         text = f"./tumble test {lab.number} --all   explains the other {rest}, too"
         lines += labelled("more", text, _LABEL_WIDTH)
     return lines
+
+
+def _not_run(failure: Checked, failures: Sequence[Checked]) -> list[str]:
+    """What became of a step's other cases once three of them had run out of time."""
+    if failure.outcome.word != TIMED_OUT:
+        return []
+    count = sum(other.step == failure.step and other.outcome.word == NOT_RUN for other in failures)
+    text = (f"{count} more cases of step {failure.step} were not run, since three had run out of "
+            "time")
+    return labelled("", text, _LABEL_WIDTH) if count else []
 
 
 def _explain(failure: Checked) -> list[str]:
@@ -137,6 +151,8 @@ def _explain(failure: Checked) -> list[str]:
 
 def _from_outside(failure: Checked) -> list[tuple[str, str]]:
     word, detail = failure.outcome
+    if word == TIMED_OUT and detail == runner.WAITS:
+        return [("note", "it sleeps or waits for input; nothing here does: what does it wait for?")]
     if word == TIMED_OUT:
         return [("note", "it did not end in time: look for a loop that cannot end, a "
                          "missing return, or far too much work, as a copy at each call")]

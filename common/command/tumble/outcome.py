@@ -37,9 +37,10 @@ def outcome(case: Case) -> Outcome:
     if case.passed:
         return Outcome(PASS, "")
     if case.status in ("notrun", "disabled"):
-        return Outcome(NOT_RUN, case.output.strip().split("\n", 1)[0])
-    if case.reason == "Timeout":
-        return Outcome(TIMED_OUT, "")
+        why = "three cases of this step ran out of time" if case.reason == "Hopeless" else ""
+        return Outcome(NOT_RUN, why or case.output.strip().split("\n", 1)[0])
+    if case.reason in ("Timeout", "Waits"):
+        return Outcome(TIMED_OUT, case.reason)
     signal = _SIGNAL.search(case.output)
     if signal or case.reason not in _OTHER_REASONS:
         return Outcome(CRASHED, signal.group(1) if signal else case.reason)

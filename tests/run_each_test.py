@@ -1,0 +1,73 @@
+"""The runner of a lab's cases: however a case ends, it costs itself alone and is told.
+
+usage: run_each_test.py PROGRAM, which holds the cases of run_each_victims.cpp
+"""
+
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(ROOT / "common" / "command"))
+
+from tumble.runner import Ended, records  # noqa: E402
+
+PROGRAM = sys.argv.pop()
+
+
+def run(*cases: str) -> dict[int, Ended]:
+    with tempfile.TemporaryDirectory() as folder:
+        listed = Path(folder) / "cases.txt"
+        listed.write_text("\n".join(cases) + "\n", encoding="utf-8")
+        with subprocess.Popen([PROGRAM, "--each", str(listed), "2"],
+                              stdout=subprocess.PIPE) as process:
+            return {record.line: record for record in records(process.stdout)}
+
+
+class Runner(unittest.TestCase):
+    def ends(self, *cases: str) -> list[tuple[str, int]]:
+        ended = run(*cases)
+        self.assertEqual(sorted(ended), list(range(len(cases))))
+        return [(ended[line].end, ended[line].value) for line in range(len(cases))]
+
+    def test_a_crash_or_an_exit_ends_one_case_only(self) -> None:
+        ends = self.ends("1.1|It crashes", "1.1|It passes", "1.2|It leaves", "1.2|It fails")
+        self.assertEqual(ends, [("signal", signal.SIGSEGV), ("exit", 0), ("exit", 0), ("exit", 1)])
+
+    def test_what_a_case_prints_is_kept_with_it(self) -> None:
+        ended = run("1.1|It prints", "1.1|It passes")
+        self.assertIn("these words\n", ended[0].output)
+        self.assertNotIn("these words", ended[1].output)
+        self.assertRegex(ended[1].output, r"All tests passed \(1 assertion")
+
+    def test_endless_output_and_hunger_for_memory_are_bounded(self) -> None:
+        ended = run("1.1|It prints without end", "1.1|It takes all memory")
+        self.assertEqual((ended[0].end, ended[0].value), ("signal", signal.SIGXFSZ))
+        self.assertEqual(ended[1].end, "exit")
+        self.assertIn("bad_alloc", ended[1].output)
+
+    def test_after_three_loops_the_rest_of_the_step_is_not_run(self) -> None:
+        loops = ["1.1|It loops", "1.1|It loops as well", "1.1|It loops like those"]
+        ended = run(*loops, "1.1|It passes", "1.1|It fails", "1.2|It passes", "1.2|It loops")
+        words = [ended[line].end for line in range(7)]
+        self.assertEqual(words[:3], ["timeout"] * 3)
+        self.assertEqual(words[5:], ["exit", "timeout"])
+        # The other slot may have run a quick case of the step before the third loop ended.
+        self.assertEqual(words[4], "skipped")
+        self.assertLess(sum(record.seconds for record in ended.values()), 2 * 6.0 + 2 * 0.5 + 1.0)
+
+    def test_a_case_that_sleeps_is_ended(self) -> None:
+        ended = run("1.1|It sleeps", "1.1|It passes")
+        self.assertEqual((ended[0].end, ended[1].end), ("waits", "exit"))
+        self.assertLess(ended[0].seconds, 1.0)
+
+    def test_a_name_that_fits_no_case_does_not_pass(self) -> None:
+        self.assertNotIn("All tests passed", run("1.1|It is nowhere")[0].output)
+
+
+if __name__ == "__main__":
+    unittest.main()

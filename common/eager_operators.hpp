@@ -104,4 +104,17 @@ operator*(const Matrix<T, N, N>& a, const Transpose<const Matrix<T, N, N>>& b) {
   return a * transposed(b.nestedExpression());
 }
 
+/// a bᵀ.
+template <typename T, int R, int C>
+  requires SmallMatrix<T, R, C>
+Matrix<T, R, C> operator*(const Matrix<T, R, 1>& a, const Transpose<const Matrix<T, C, 1>>& b) {
+  Matrix<T, R, C> product;
+  for (int j = 0; j < C; ++j) {
+    for (int i = 0; i < R; ++i) {
+      product.data()[i + j * R] = a.data()[i] * b.nestedExpression().data()[j];
+    }
+  }
+  return product;
+}
+
 }  // namespace Eigen

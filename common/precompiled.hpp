@@ -3,9 +3,13 @@
 // What a save must not parse again. Headers alone: GCC does not keep in a precompiled header what
 // templates become for given types, so an example of use in here would be compiled at every save.
 // No file includes it; see common/cmake/AddLab.cmake.
+#include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 

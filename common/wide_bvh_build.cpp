@@ -129,11 +129,11 @@ class WideBvhBuilder {
       });
       if (largest->count() <= WideBvh::width) break;
       const std::size_t middle = cut(*largest, depth);
-      parts[size++] = range_of(middle, largest->end);
+      std::move_backward(largest + 1, end, end + 1);  // the parts stay in order
+      largest[1] = range_of(middle, largest->end);
       *largest = range_of(largest->begin, middle);
+      ++size;
     }
-    std::sort(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(size),
-              [](const Range& a, const Range& b) { return a.begin < b.begin; });
     for (std::size_t i = 0; i < size; ++i) {
       add_child(index, build(parts[i], depth + 1), parts[i].box);
     }

@@ -6,14 +6,19 @@ function(add_grading_test name part)
     SKIP_REGULAR_EXPRESSION "OK .skipped=" ${ARGN})
 endfunction()
 
-foreach(part IN ITEMS handout intake points proof running sandbox gradescope slurm)
+foreach(part IN ITEMS handout intake points proof running sandbox gradescope)
   add_grading_test(${part} ${part})
 endforeach()
 
-# These build, which takes minutes. The judge's programs are built in one folder.
-add_grading_test("a student begins with the handout" handout_student TIMEOUT 2400)
-add_grading_test("no attack earns or leaves anything" attack TIMEOUT 2400 RESOURCE_LOCK judge)
-add_grading_test("the judge knows right from wrong" judged TIMEOUT 3600 PROCESSORS 2
-  RESOURCE_LOCK judge)
+# These build, or start a cluster, which takes minutes. The judge's programs are built in one folder.
+function(add_long_grading_test name part)
+  add_grading_test("${name}" ${part} TIMEOUT 3600 ${ARGN})
+  set_property(TEST "kit/grading/${name}" PROPERTY LABELS kit long)
+endfunction()
+add_long_grading_test("slurm" slurm)
+add_long_grading_test("a student begins with the handout" handout_student)
+add_long_grading_test("no attack earns or leaves anything" attack RESOURCE_LOCK judge)
+add_long_grading_test("the judge knows right from wrong" judged PROCESSORS 2 RESOURCE_LOCK judge)
+add_long_grading_test("a small class gets what is due" judged_class PROCESSORS 2 RESOURCE_LOCK judge)
 
-# By hand: grading_test.py judged_class, and all mistakes of a lab, see judged_test.py.
+# By hand: all mistakes of a lab, see judged_test.py.

@@ -41,12 +41,16 @@ function(add_lab name)
   if(TUMBLE_GRADE)
     return()
   endif()
-  _add_program(${name}_scene scene.cpp render_scene common)
   if(EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/peers.cpp")
     _add_peers()
-    _add_program(${name}_chart chart.cpp render_chart common ${name}_peers)
-  else()
-    _add_program(${name}_chart chart.cpp render_chart common)
+  endif()
+  if(TUMBLE_PICTURES)
+    _add_program(${name}_scene scene.cpp render_scene common)
+    set(peers_of_lab "")
+    if(TARGET ${name}_peers)
+      set(peers_of_lab ${name}_peers)
+    endif()
+    _add_program(${name}_chart chart.cpp render_chart common ${peers_of_lab})
   endif()
 
   _add_answer(student "${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp" answer_flags PICTURES)
@@ -75,32 +79,63 @@ function(add_lab name)
     "[|] error +not finite;[|] got +an exception( of another type)?: not a number"
     FAIL_REGULAR_EXPRESSION "All tests passed")
   if(TUMBLE_MISTAKES)
-    include("${solutions}/mistakes.cmake")
+    _add_mistakes()
   endif()
 endfunction()
 
-# add_mutant(<name> <mistake> <step> <find> <replace> <words>)
+# add_mutant(<name> <mistake> <step> <find> <replace> <words> [OF <answer>])
 #
 # The reference with one mistake in it: <find>, which must stand in it, is replaced. A test of <step>
 # must fail, and the likely mistake that its tests name must hold <words>; no other may be named.
-# Empty <words>: a mistake without a fingerprint, for which they must name none.
+# Empty <words>: a mistake without a fingerprint, for which they must name none. With OF it is made in
+# another right answer, <answer>.cpp: a trick that the reference does without has mistakes of its own.
+# Only what the mistake can reach is compiled again, see only_affected.py.
 function(add_mutant name mistake step find replace words)
+  cmake_parse_arguments(PARSE_ARGV 6 arg "" "OF" "")
+  if(arg_UNPARSED_ARGUMENTS OR arg_KEYWORDS_MISSING_VALUES)
+    message(FATAL_ERROR "add_mutant(${name} ${mistake}): want [OF <answer>] after six arguments: ${ARGN}")
+  endif()
+  set(answer "${name}")
+  if(arg_OF)
+    set(answer "${arg_OF}")
+  endif()
   cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME folder)
-  set(reference "${PROJECT_SOURCE_DIR}/solutions/${folder}/${name}.cpp")
-  file(READ "${reference}" right)
+  set(file "${PROJECT_SOURCE_DIR}/solutions/${folder}/${answer}.cpp")
+  file(READ "${file}" right)
   string(REPLACE "${find}" "${replace}" wrong "${right}")
   if(wrong STREQUAL right)
-    message(FATAL_ERROR "add_mutant(${name} ${mistake}): '${find}' is not in ${reference}")
+    message(FATAL_ERROR "add_mutant(${name} ${mistake}): '${find}' is not in ${file}")
   endif()
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${reference}")
-  set(source "${CMAKE_CURRENT_BINARY_DIR}/mistakes/${mistake}.cpp")
-  file(GENERATE OUTPUT "${source}" CONTENT "${wrong}")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
+  file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/whole/${answer}/${mistake}.cpp" "${wrong}")
 
-  _add_answer(mistake_${mistake} "${source}" answer_flags)
+  set(program ${name}_mistake_${mistake}_test)
+  _add_answer(mistake_${mistake} "${CMAKE_CURRENT_BINARY_DIR}/mistakes/${answer}/${mistake}.cpp" answer_flags)
+  target_sources(${program} PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/${answer}_weak.o")
   add_test(NAME "${folder}/mistake/${step}/${mistake}" COMMAND Python3::Interpreter -B
-    "${PROJECT_SOURCE_DIR}/tests/support/mistake_test.py" $<TARGET_FILE:${name}_mistake_${mistake}_test>
-    ${step} "${words}")
+    "${PROJECT_SOURCE_DIR}/tests/support/mistake_test.py" $<TARGET_FILE:${program}> ${step} "${words}")
   set_tests_properties("${folder}/mistake/${step}/${mistake}" PROPERTIES LABELS mistake TIMEOUT 120)
+endfunction()
+
+# The bank of mistakes, and the right answers that stand behind what a mistake cannot reach.
+function(_add_mistakes)
+  file(REMOVE_RECURSE "${CMAKE_CURRENT_BINARY_DIR}/whole")
+  include("${solutions}/mistakes.cmake")
+  file(GLOB answers RELATIVE "${CMAKE_CURRENT_BINARY_DIR}/whole" "${CMAKE_CURRENT_BINARY_DIR}/whole/*")
+  foreach(answer IN LISTS answers)
+    execute_process(COMMAND ${Python3_EXECUTABLE} -B "${PROJECT_SOURCE_DIR}/common/cmake/only_affected.py"
+      "${solutions}/${answer}.cpp" "${CMAKE_CURRENT_BINARY_DIR}/whole/${answer}"
+      "${CMAKE_CURRENT_BINARY_DIR}/mistakes/${answer}" COMMAND_ERROR_IS_FATAL ANY)
+    set(right ${name}_${answer})
+    if(answer STREQUAL name)
+      set(right ${name}_reference)
+    endif()
+    set(weak "${CMAKE_CURRENT_BINARY_DIR}/${answer}_weak.o")
+    add_custom_command(OUTPUT "${weak}"
+      COMMAND ${CMAKE_OBJCOPY} --weaken $<TARGET_OBJECTS:${right}> "${weak}"
+      DEPENDS ${right} $<TARGET_OBJECTS:${right}> COMMENT "Weakening ${right}")
+    add_custom_target(${right}_weak DEPENDS "${weak}")
+  endforeach()
 endfunction()
 
 # Compiles one of the lab's programs against the contract, without an implementation of it.
@@ -235,7 +270,7 @@ function(_add_seeds answer)
   set(test "kit/other seeds/${folder} ${answer}")
   add_test(NAME "${test}" COMMAND Python3::Interpreter -B
     "${PROJECT_SOURCE_DIR}/tests/support/seeds_test.py" $<TARGET_FILE:${name}_${answer}_test> ${count})
-  set_tests_properties("${test}" PROPERTIES LABELS kit TIMEOUT 300)
+  set_tests_properties("${test}" PROPERTIES LABELS "kit;long" TIMEOUT 300)
 endfunction()
 
 # The untouched stub fails every case, and says which step is not written yet.

@@ -9,6 +9,8 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 # A formula rounds as it stands, on every machine; errno and traps, which nothing here reads, would
 # bar the compiler from computing many roots at a time.
 target_compile_options(base_flags INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math)
+# Small matrices compute at once, see common/eager_operators.hpp.
+target_compile_options(base_flags INTERFACE "-DEIGEN_MATRIX_PLUGIN=<common/eager_members.hpp>")
 if(TUMBLE_NATIVE)
   # Eigen's types keep the layout that packaged libraries were built with.
   target_compile_options(base_flags INTERFACE -march=native)

@@ -83,8 +83,12 @@ def make_parser() -> argparse.ArgumentParser:
     for name, text in (
             ("demo", "install what is missing, build, draw every reference scene and chart"),
             ("verify", "install what is missing, then prove the kit and its tests")):
-        command(name, name, text).add_argument(
-            "--no-install", action="store_true", help="leave the packages alone")
+        new = command(name, name, text)
+        new.add_argument("--no-install", action="store_true", help="leave the packages alone")
+        if name == "verify":
+            new.add_argument("--all", action="store_true", help=(
+                "also what takes long: the grader's attacks, its judge, a class, other seeds, "
+                "Slurm, sanitizers"))
     lab_command("test", "checklist", "test your answer to lab N: a checklist by step").add_argument(
         "--all", action="store_true", help="explain every failure, not only the first")
     lab_command("watch", "watch", "run lab N's tests again whenever you save; Ctrl-C ends it")

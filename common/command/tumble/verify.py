@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import argparse
+import shutil
 from pathlib import Path
 from typing import NamedTuple, Sequence
 
 from . import build, ctest, packages
-from .console import coloured, mark, say, shortened
+from .console import FAILED, coloured, mark, say, shortened
 from .labs import Lab, find_labs, plain, require_solutions
 
 COLUMNS = ("stub fails", "right passes", "NaN fails", "mistakes caught")
 _KIND_OF = {"stub": 0, "nan": 2, "mistake": 3}
 _RIGHT = 1
 _OUTPUT_LIMIT = 3000
+_WITHOUT_SANITIZERS = "^kit/(architecture|command|grading)/"
+"""Python and CMake, on which they can say nothing; the test preset `sanitize` leaves them out, too."""
 
 
 class Count(NamedTuple):
@@ -34,9 +37,22 @@ def run(root: Path, options: argparse.Namespace) -> int:
     require_solutions(root, "verify")
     if not options.no_install:
         packages.install_missing(root)
-    build.configure(root, "ci", again=True)  # the preset no-gl shares the folder and proves less
-    build.require(root, "ci")
-    tests = ctest.run_tests(build.build_folder(root, "ci"), ["-LE", "^student$"])
+    code = _prove(root, "ci", ["-LE", "^student$" if options.all else "^(student|long)$"])
+    if not options.all:
+        return code
+    if not shutil.which("clang++"):
+        say("The sanitizers are left out: clang++ is missing (packages clang, libclang-rt-14-dev "
+            "or libclang-rt-19-dev).")
+        return FAILED
+    say(coloured("Under clang's address and undefined-behaviour sanitizers", "bold"))
+    return code or _prove(root, "sanitize", ["-L", "^(right|kit)$", "-E", _WITHOUT_SANITIZERS])
+
+
+def _prove(root: Path, preset: str, selection: Sequence[str]) -> int:
+    with build.locked(root, preset):
+        build.configure(root, preset, again=True)  # no-gl shares the folder of ci and proves less
+        build.require(root, preset)
+        tests = ctest.run_tests(build.build_folder(root, preset), selection)
     say(*table(find_labs(root), tests.cases), *kit_lines(tests.cases),
         *failure_lines(tests.cases), tests.summary)
     return tests.code

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <concepts>
 #include <exception>
+#include <functional>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -34,10 +36,15 @@ class Trial {
   explicit Trial(std::string step_and_function, int index = 1, int count = 1)
       : step_(std::move(step_and_function)), index_(index), count_(count) {}
 
-  /// An argument, printed as C++ that can be pasted.
+  /// An argument, printed as C++ that can be pasted. It is kept as it is now, and no text is made
+  /// of it until a judgement fails: to print some numbers takes longer than to judge them.
   template <typename Value>
   Trial& given(const std::string& name, const Value& value) {
-    inputs_.push_back(name + " = " + text(value) + ";");
+    if constexpr (requires { typename Value::PlainObject; }) {
+      keep(name, typename Value::PlainObject(value));  // an expression of Eigen refers to others
+    } else {
+      keep(name, value);
+    }
     return *this;
   }
 
@@ -53,11 +60,20 @@ class Trial {
   template <typename Value>
   void expect(const Value& got, const Value& wanted, const Bound& bound,
               const std::vector<Suspect<Value>>& suspects = {}) const {
+    expect(got, wanted, bound, [&]() -> const std::vector<Suspect<Value>>& { return suspects; });
+  }
+
+  /// The same with suspects that are worked out when the judgement fails, and not before.
+  /// suspects  of no argument; it returns a vector of them
+  template <typename Value, std::invocable Suspects>
+  void expect(const Value& got, const Value& wanted, const Bound& bound,
+              const Suspects& suspects) const {
     if (!is_finite(got)) fail_not_finite(text(got), text(wanted));
     const double error = difference(got, wanted);
     if (!(error <= bound.value)) {
       std::vector<std::string> stories;
-      for (const Suspect<Value>& suspect : suspects) {
+      const std::vector<Suspect<Value>>& all = suspects();
+      for (const Suspect<Value>& suspect : all) {
         const bool looks_right = difference(suspect.value, wanted) <= 4.0 * bound.value;
         const double tolerance = 2.0 * bound.value + 8.0 * eps * length(suspect.value);
         if (!looks_right && difference(got, suspect.value) <= tolerance) {
@@ -123,6 +139,11 @@ class Trial {
  private:
   static constexpr const char* not_finite = "not finite: NaN and infinity are never right here";
 
+  template <typename Value>
+  void keep(const std::string& name, const Value& value) {
+    inputs_.push_back([name, value] { return name + " = " + text(value) + ";"; });
+  }
+
   static std::vector<std::string> named(const std::string& likely) {
     return likely.empty() ? std::vector<std::string>{} : std::vector<std::string>{likely};
   }
@@ -140,7 +161,7 @@ class Trial {
     if (count_ > 1) {
       lines += "| case    " + std::to_string(index_) + " of " + std::to_string(count_) + "\n";
     }
-    for (const std::string& input : inputs_) lines += "| input   " + input + "\n";
+    for (const auto& input : inputs_) lines += "| input   " + input() + "\n";
     if (!part_.empty()) lines += "| note    this is about " + part_ + "\n";
     lines += "| got     " + got + "\n| wanted  " + wanted + "\n| error   " + error + "\n";
     if (!bound.empty()) lines += "| bound   " + bound + "\n";
@@ -153,7 +174,7 @@ class Trial {
   std::string part_;
   int index_;
   int count_;
-  std::vector<std::string> inputs_;
+  std::vector<std::function<std::string()>> inputs_;
 };
 
 }  // namespace tests

@@ -147,9 +147,9 @@ double certified_time(const Motion& m, double dt) {
                         is_moderate(std::hypot(m.v_y, m.v_z)) && is_moderate(dt);
   const auto x = quadratic<DoubleDouble>(m, dt);
   const auto terms = quadratic<Size>(m, dt);
-  const auto sign = [&](const DoubleDouble& X, Size size, ExactNumber Exact::*exact_X) {  // eq. (7)
-    const bool sure = moderate && std::abs(X.high) > 1e-30 * size.value + 1e-280;
-    return sure ? (X.high > 0.0 ? 1 : -1) : (quadratic<ExactNumber>(m, dt).*exact_X).sign();
+  const auto sign = [&](const DoubleDouble& X, Size X_terms, ExactNumber Exact::*X_exact) {
+    const bool sure = moderate && std::abs(X.high) > 1e-30 * X_terms.value + 1e-280;  // eq. (7)
+    return sure ? (X.high > 0.0 ? 1 : -1) : (quadratic<ExactNumber>(m, dt).*X_exact).sign();
   };
   if (sign(x.c, terms.c, &Exact::c) <= 0) return 0.0;
   if (sign(x.b, terms.b, &Exact::b) >= 0) return infinity;

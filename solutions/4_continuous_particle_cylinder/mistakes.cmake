@@ -122,7 +122,7 @@ add_mutant(${lab} certified_rounded_radius 4.3
 
 # More digits are believed to be enough, without a bound of their error.
 add_mutant(${lab} certified_without_bound 4.3
-  "std::abs(X.high) > 1e-30 * size.value + 1e-280" "std::abs(X.high) > 1e-280" "")
+  "std::abs(X.high) > 1e-30 * X_terms.value + 1e-280" "std::abs(X.high) > 1e-280" "")
 
 # The rounded root decides whether it is past dt.
 add_mutant(${lab} certified_rounded_arrival 4.3

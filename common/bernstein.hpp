@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -35,6 +36,20 @@ Halves<std::array<Number, size>> halves(std::array<Number, size> coefficients) {
     }
   }
   return parts;
+}
+
+/// All values of a polynomial over its interval are in this range: that of its coefficients.
+struct Range {
+  double lowest, highest;
+};
+
+template <std::size_t size>
+Range range(const std::array<DoubleDouble, size>& coefficients) {
+  Range all{coefficients[0].high, coefficients[0].high};
+  for (const DoubleDouble& c : coefficients) {
+    all = {std::min(all.lowest, c.high), std::max(all.highest, c.high)};
+  }
+  return all;
 }
 
 /// The polynomial at a share s of its interval, in [0, 1].

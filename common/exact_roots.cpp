@@ -75,6 +75,10 @@ ExactPolynomial operator*(const ExactPolynomial& a, const ExactPolynomial& b) {
   return product;
 }
 
+ExactPolynomial operator+(const ExactPolynomial& a, const ExactPolynomial& b) {
+  return a - (ExactPolynomial{} - b);
+}
+
 ExactPolynomial operator-(const ExactPolynomial& a, const ExactPolynomial& b) {
   ExactPolynomial difference = a;
   difference.resize(std::max(a.size(), b.size()));
@@ -95,6 +99,15 @@ int ExactRoots::count(double from, double to) const {
   if (roots == 0 || signs_.empty()) return roots;
   // (all + (above − below)) / 2; a root where g = 0 is in the first only, and is rounded off.
   return (roots + passed(signs_)) / 2;
+}
+
+double ExactRoots::first(double from, double to, double width) const {
+  while (to - from > width) {
+    const double middle = from + 0.5 * (to - from);
+    if (middle == from || middle == to) break;
+    (count(from, middle) > 0 ? to : from) = middle;
+  }
+  return to;
 }
 
 }  // namespace common

@@ -10,6 +10,7 @@ namespace common {
 using ExactPolynomial = std::vector<ExactNumber>;
 
 ExactPolynomial operator*(const ExactPolynomial& a, const ExactPolynomial& b);
+ExactPolynomial operator+(const ExactPolynomial& a, const ExactPolynomial& b);
 ExactPolynomial operator-(const ExactPolynomial& a, const ExactPolynomial& b);
 
 /// Counts real roots without any rounding, also those that rounding cannot tell from none: double
@@ -23,6 +24,10 @@ class ExactRoots {
 
   /// How many there are in (from, to], a multiple one once; 0 where f is zero throughout.
   [[nodiscard]] int count(double from, double to) const;
+
+  /// The first of those in (from, to], of which there is one at least, from above: by less than
+  /// `width`, or to the next double where that is wider.
+  [[nodiscard]] double first(double from, double to, double width) const;
 
  private:
   using Chain = std::vector<ExactPolynomial>;

@@ -43,7 +43,7 @@ TEST_CASE("A double root is told from none and from two closer than doubles are"
   const ExactPolynomial tiny{1e-300};
   CHECK(ExactRoots(square, one).count(0.0, 1.0) == 1);
   CHECK(ExactRoots(square - tiny, one).count(0.0, 1.0) == 2);
-  CHECK(ExactRoots(square - (ExactPolynomial{} - tiny), one).count(0.0, 1.0) == 0);
+  CHECK(ExactRoots(square + tiny, one).count(0.0, 1.0) == 0);
 }
 
 TEST_CASE("Only roots at which the other polynomial is above zero count") {
@@ -58,6 +58,15 @@ TEST_CASE("What is zero throughout has no roots to count") {
   CHECK(ExactRoots(ExactPolynomial{}, one).count(0.0, 1.0) == 0);
   CHECK(ExactRoots(ExactPolynomial{0.0, 0.0}, one).count(0.0, 1.0) == 0);
   CHECK(ExactRoots(one, one).count(0.0, 1.0) == 0);
+}
+
+TEST_CASE("The first root is found from above to the width that is asked for") {
+  const ExactRoots roots(with_roots({0.3, 0.3, 0.7}), with_roots({0.1}));
+  for (const double width : {0.1, 1e-10, 0.0}) {
+    const double found = roots.first(0.0, 1.0, width);
+    CHECK(found >= 0.3);
+    CHECK(found - 0.3 <= std::max(width, 1e-16));
+  }
 }
 
 TEST_CASE("Random roots are counted at any scale") {

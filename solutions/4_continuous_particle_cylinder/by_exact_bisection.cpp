@@ -297,10 +297,6 @@ using common::ExactPolynomial;
 /// 1, t: what a coordinate of an end is, without rounding.
 ExactPolynomial path(double x, double v) { return {x, v}; }
 
-ExactPolynomial operator+(const ExactPolynomial& a, const ExactPolynomial& b) {
-  return a - (ExactPolynomial{} - b);
-}
-
 /// What is known of the edge's inside: its line meets the disc where `line` ≤ 0, and the foot of
 /// the perpendicular is inside where `foot` > 0.
 struct InsidePolynomials {

@@ -68,20 +68,29 @@ function(add_lab name)
   endif()
 endfunction()
 
-# add_mutant(<name> <mistake> <step> <find> <replace> <words>)
+# add_mutant(<name> <mistake> <step> <find> <replace> <words> [OF <answer>])
 #
 # The reference with one mistake in it: <find>, which must stand in it, is replaced. A test of <step>
 # must fail, and the likely mistake that its tests name must hold <words>; no other may be named.
-# Empty <words>: a mistake without a fingerprint, for which they must name none.
+# Empty <words>: a mistake without a fingerprint, for which they must name none. With OF it is made in
+# another right answer, <answer>.cpp: a trick that the reference does without has mistakes of its own.
 function(add_mutant name mistake step find replace words)
+  cmake_parse_arguments(PARSE_ARGV 6 arg "" "OF" "")
+  if(arg_UNPARSED_ARGUMENTS OR arg_KEYWORDS_MISSING_VALUES)
+    message(FATAL_ERROR "add_mutant(${name} ${mistake}): want [OF <answer>] after six arguments: ${ARGN}")
+  endif()
+  set(answer "${name}")
+  if(arg_OF)
+    set(answer "${arg_OF}")
+  endif()
   cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME folder)
-  set(reference "${PROJECT_SOURCE_DIR}/solutions/${folder}/${name}.cpp")
-  file(READ "${reference}" right)
+  set(file "${PROJECT_SOURCE_DIR}/solutions/${folder}/${answer}.cpp")
+  file(READ "${file}" right)
   string(REPLACE "${find}" "${replace}" wrong "${right}")
   if(wrong STREQUAL right)
-    message(FATAL_ERROR "add_mutant(${name} ${mistake}): '${find}' is not in ${reference}")
+    message(FATAL_ERROR "add_mutant(${name} ${mistake}): '${find}' is not in ${file}")
   endif()
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${reference}")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
   set(source "${CMAKE_CURRENT_BINARY_DIR}/mistakes/${mistake}.cpp")
   file(GENERATE OUTPUT "${source}" CONTENT "${wrong}")
 

@@ -14,18 +14,23 @@ namespace lab::bvh_traversal {
 // ---- Step 5.1 ----
 
 Box box_of(const Triangle& triangle) {
-  const auto& [a, b, c] = triangle;
-  return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};  // eq. (1)
+  Box box;
+  for (const Vec3& corner : triangle) box = merged(box, {corner, corner});  // eq. (1)
+  return box;
 }
 
 Box merged(const Box& a, const Box& b) {
-  return {a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)};  // eq. (2)
+  Box box;
+  for (int i = 0; i < 3; ++i) {
+    box.low[i] = std::min(a.low[i], b.low[i]);  // eq. (2)
+    box.high[i] = std::max(a.high[i], b.high[i]);
+  }
+  return box;
 }
 
 bool overlap(const Box& a, const Box& b) {
   for (int i = 0; i < 3; ++i) {
-    const bool reach = a.low[i] <= b.high[i] && b.low[i] <= a.high[i];  // eq. (3)
-    if (!reach) return false;
+    if (!(a.low[i] <= b.high[i] && b.low[i] <= a.high[i])) return false;  // eq. (3)
   }
   return true;
 }
@@ -42,28 +47,28 @@ double surface_area(const Box& box) {
 
 namespace {
 
-/// What a cut is made by, of each triangle of the mesh.
+/// A triangle, as a cut sees it.
 struct Part {
   Box box;
   Vec3 centroid;  ///< [m]
 };
-using Parts = std::vector<Part>;
-
-/// A place in the list of triangles, whose order is that of the entries.
-using Place = std::vector<std::uint32_t>::iterator;
+using Parts = std::vector<Part>;                     // by the mesh's numbers
+using Place = std::vector<std::uint32_t>::iterator;  // in the list of triangles
 
 /// From the least to the greatest centroid in every coordinate.
 Box spread_of_centroids(const Parts& parts, Place begin, Place end) {
   Box spread;
   for (Place i = begin; i != end; ++i) {
-    const Vec3& centroid = parts[*i].centroid;
-    spread = merged(spread, {centroid, centroid});
+    spread = merged(spread, {parts[*i].centroid, parts[*i].centroid});
   }
   return spread;
 }
 
-/// Puts the lesser half in front, and returns where the other begins.                     eq. (5)
-Place halved(const Parts& parts, Place begin, Place end) {
+/// Puts a range of the list in order, and returns where its second part begins.
+using Cut = Place (*)(const Parts& parts, Place begin, Place end, int depth, int bins);
+
+/// Puts the lesser half in front, at any depth.                                           eq. (5)
+Place halved(const Parts& parts, Place begin, Place end, int /*depth*/, int /*bins*/) {
   const Box spread = spread_of_centroids(parts, begin, end);
   int axis = 0;
   for (int i = 1; i < 3; ++i) {
@@ -77,60 +82,53 @@ Place halved(const Parts& parts, Place begin, Place end) {
   return middle;
 }
 
-/// Puts a range at this depth in order, and returns where its second part begins.
-using Cut = Place (*)(const Parts& parts, Place begin, Place end, int depth, int bins);
+/// A tree while it is built.
+struct Growth {
+  Parts parts;
+  int leaf_size;
+  Cut cut;
+  int bins;
+  Bvh bvh;
 
-class Builder {
- public:
-  Builder(const TriangleMesh& mesh, int leaf_size, Cut cut, int bins)
-      : leaf_size_(leaf_size), cut_(cut), bins_(bins) {
-    common::require_sound(mesh);
-    if (leaf_size < 1) throw std::invalid_argument("leaf_size: want 1 or more");
-    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-      const Triangle t = triangle(mesh, i);
-      parts_.push_back({box_of(t), (t[0] + t[1] + t[2]) / 3.0});
-      bvh_.triangles.push_back(i);
-    }
-    bvh_.nodes.emplace_back();
-    build(0, bvh_.triangles.begin(), bvh_.triangles.end(), 0);
-    for (const std::uint32_t i : bvh_.triangles) bvh_.corners.push_back(triangle(mesh, i));
-  }
-
-  Bvh take() { return std::move(bvh_); }
-
- private:
   void build(std::uint32_t index, Place begin, Place end, int depth) {
-    BvhNode node;
-    if (end - begin <= leaf_size_) {
-      node.first = static_cast<std::uint32_t>(begin - bvh_.triangles.begin());
+    BvhNode node;  // put in its place at the end, since `nodes` grows meanwhile
+    if (end - begin <= leaf_size) {
+      node.first = static_cast<std::uint32_t>(begin - bvh.triangles.begin());
       node.count = static_cast<std::uint32_t>(end - begin);
-      for (Place i = begin; i != end; ++i) node.box = merged(node.box, parts_[*i].box);
+      for (Place i = begin; i != end; ++i) node.box = merged(node.box, parts[*i].box);
     } else {
-      node.first = static_cast<std::uint32_t>(bvh_.nodes.size());
-      bvh_.nodes.emplace_back();
-      bvh_.nodes.emplace_back();
-      const Place middle = cut_(parts_, begin, end, depth, bins_);
+      node.first = static_cast<std::uint32_t>(bvh.nodes.size());
+      for (int child = 0; child < 2; ++child) bvh.nodes.emplace_back();
+      const Place middle = cut(parts, begin, end, depth, bins);
       build(node.first, begin, middle, depth + 1);
       build(node.first + 1, middle, end, depth + 1);
-      node.box = merged(bvh_.nodes[node.first].box, bvh_.nodes[node.first + 1].box);
+      node.box = merged(bvh.nodes[node.first].box, bvh.nodes[node.first + 1].box);
     }
-    bvh_.nodes[index] = node;  // not kept by reference: `nodes` has grown
+    bvh.nodes[index] = node;
   }
-
-  int leaf_size_;
-  Cut cut_;
-  int bins_;
-  Parts parts_;
-  Bvh bvh_;
 };
+
+Bvh build(const TriangleMesh& mesh, int leaf_size, Cut cut, int bins) {
+  common::require_sound(mesh);
+  if (leaf_size < 1) throw std::invalid_argument("leaf_size: want 1 or more");
+  Growth tree{{}, leaf_size, cut, bins, {}};
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Triangle t = triangle(mesh, i);
+    Part part{box_of(t), {}};
+    for (int k = 0; k < 3; ++k) part.centroid[k] = (t[0][k] + t[1][k] + t[2][k]) / 3.0;
+    tree.parts.push_back(part);
+    tree.bvh.triangles.push_back(i);
+  }
+  tree.bvh.nodes.emplace_back();
+  tree.build(0, tree.bvh.triangles.begin(), tree.bvh.triangles.end(), 0);
+  for (const std::uint32_t i : tree.bvh.triangles) tree.bvh.corners.push_back(triangle(mesh, i));
+  return std::move(tree.bvh);
+}
 
 }  // namespace
 
 Bvh build_median(const TriangleMesh& mesh, int leaf_size) {
-  const Cut cut = [](const Parts& parts, Place begin, Place end, int, int) {
-    return halved(parts, begin, end);
-  };
-  return Builder(mesh, leaf_size, cut, 0).take();
+  return build(mesh, leaf_size, halved, 0);
 }
 
 // ---- Step 5.3 ----
@@ -139,9 +137,7 @@ namespace {
 
 bool is_leaf(const BvhNode& node) { return node.count > 0; }
 
-bool a_is_bigger(const BvhNode& a, const BvhNode& b) {
-  return surface_area(a.box) >= surface_area(b.box);
-}
+bool a_is_bigger(const Box& a, const Box& b) { return surface_area(a) >= surface_area(b); }
 
 }  // namespace
 
@@ -155,7 +151,7 @@ Traversal traverse_as_first_written(const Bvh& a, const Bvh& b) {
     const BvhNode& node_b = b.nodes[pair.b];
     ++found.box_tests;
     if (!overlap(node_a.box, node_b.box)) continue;
-    const bool bigger_is_a = a_is_bigger(node_a, node_b);
+    const bool bigger_is_a = a_is_bigger(node_a.box, node_b.box);
     const BvhNode& bigger = bigger_is_a ? node_a : node_b;
     if (is_leaf(bigger)) {
       found.ends.push_back(pair);
@@ -175,7 +171,7 @@ namespace {
 
 Box moved(const Box& box, const RigidTransform& motion);  // step 5.7
 
-/// Down to all pairs of leaves that overlap. a_from_b is null at rest.                   eq. (6)
+/// a_from_b is null at rest.                                                              eq. (6)
 Traversal pairs_of_leaves(const Bvh& a, const Bvh& b, const RigidTransform* a_from_b) {
   Traversal found;
   std::vector<NodePair> stack{{0, 0}};
@@ -191,7 +187,7 @@ Traversal pairs_of_leaves(const Bvh& a, const Bvh& b, const RigidTransform* a_fr
       found.ends.push_back(pair);
       continue;
     }
-    const bool into_a = !is_leaf(node_a) && (is_leaf(node_b) || a_is_bigger(node_a, node_b));
+    const bool into_a = !is_leaf(node_a) && (is_leaf(node_b) || a_is_bigger(node_a.box, box_b));
     const BvhNode& inner = into_a ? node_a : node_b;
     for (const std::uint32_t child : {inner.first, inner.first + 1}) {
       stack.push_back(into_a ? NodePair{child, pair.b} : NodePair{pair.a, child});
@@ -203,7 +199,9 @@ Traversal pairs_of_leaves(const Bvh& a, const Bvh& b, const RigidTransform* a_fr
 
 }  // namespace
 
-Traversal traverse(const Bvh& a, const Bvh& b) { return pairs_of_leaves(a, b, nullptr); }
+Traversal traverse(const Bvh& a, const Bvh& b) {
+  return pairs_of_leaves(a, b, nullptr);  // at rest
+}
 
 // ---- Step 5.5 ----
 
@@ -214,16 +212,12 @@ using common::Vec2;
 using Signs = std::array<int, 3>;
 
 bool all_zero(const Signs& s) { return s[0] == 0 && s[1] == 0 && s[2] == 0; }
-bool one_side(const Signs& s) {
-  return (s[0] > 0 && s[1] > 0 && s[2] > 0) || (s[0] < 0 && s[1] < 0 && s[2] < 0);
-}
+bool one_side(const Signs& s) { return s[0] != 0 && s[0] == s[1] && s[0] == s[2]; }
 
 /// On which sides of the triangle's plane the points are: the signs of (7).
 Signs sides(const Triangle& plane, const Triangle& points) {
   Signs s{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    s[i] = orientation(plane[0], plane[1], plane[2], points[i]);
-  }
+  for (std::size_t i = 0; i < 3; ++i) s[i] = orientation(plane[0], plane[1], plane[2], points[i]);
   return s;
 }
 
@@ -252,15 +246,16 @@ bool intervals_overlap(Triangle a, const Signs& side_a, Triangle b, const Signs&
   return orientation(a[0], a[1], b[0], b[1]) <= 0 && orientation(a[0], a[2], b[2], b[0]) <= 0;
 }
 
-using Shadow = std::array<Vec2, 3>;
-
-/// Whether the line of an edge of a has a on its one side, or on it, and b strictly on the other.
-bool parted_by_edge(const Shadow& a, const Shadow& b) {
+/// Whether, of their shadows on x and y, an edge of a has a on one side or on it, b on the other.
+bool parted_by_edge(const Triangle& a, const Triangle& b, int x, int y) {
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vec2& p = a[i];
-    const Vec2& q = a[(i + 1) % 3];
-    const Signs s{orientation(p, q, b[0]), orientation(p, q, b[1]), orientation(p, q, b[2])};
-    if (one_side(s) && s[0] * orientation(p, q, a[(i + 2) % 3]) <= 0) return true;
+    const Vec3& p = a[i];
+    const Vec3& q = a[(i + 1) % 3];
+    const auto side = [&](const Vec3& c) {
+      return orientation(Vec2(p[x], p[y]), Vec2(q[x], q[y]), Vec2(c[x], c[y]));
+    };
+    const Signs s{side(b[0]), side(b[1]), side(b[2])};
+    if (one_side(s) && s[0] * side(a[(i + 2) % 3]) <= 0) return true;
   }
   return false;
 }
@@ -270,11 +265,7 @@ bool parted_by_edge(const Shadow& a, const Shadow& b) {
 bool meet_in_plane(const Triangle& a, const Triangle& b) {
   if (!overlap(box_of(a), box_of(b))) return false;
   for (int x = 0; x < 3; ++x) {
-    const int y = (x + 1) % 3;
-    const auto shadow = [&](const Triangle& t) {
-      return Shadow{Vec2(t[0][x], t[0][y]), Vec2(t[1][x], t[1][y]), Vec2(t[2][x], t[2][y])};
-    };
-    if (parted_by_edge(shadow(a), shadow(b)) || parted_by_edge(shadow(b), shadow(a))) return false;
+    if (parted_by_edge(a, b, x, (x + 1) % 3) || parted_by_edge(b, a, x, (x + 1) % 3)) return false;
   }
   return true;
 }
@@ -302,6 +293,29 @@ bool are_skew(const Triangle& a, const Triangle& b) {
   return false;
 }
 
+/// All pairs of triangles of all pairs of leaves. a_from_b is null at rest.
+Intersections pairs_that_meet(const Bvh& a, const Bvh& b, const RigidTransform* a_from_b) {
+  const Traversal leaves = pairs_of_leaves(a, b, a_from_b);
+  Intersections found{{}, leaves.box_tests, 0};
+  for (const NodePair& pair : leaves.ends) {
+    const BvhNode& leaf_a = a.nodes[pair.a];
+    const BvhNode& leaf_b = b.nodes[pair.b];
+    found.triangle_tests += std::uint64_t{leaf_a.count} * leaf_b.count;
+    for (std::uint32_t j = leaf_b.first; j < leaf_b.first + leaf_b.count; ++j) {
+      Triangle t = b.corners[j];
+      if (a_from_b != nullptr) t = common::transformed(*a_from_b, t);
+      const Box box = box_of(t);
+      for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
+        if (!overlap(box_of(a.corners[i]), box)) continue;  // pays, and is not counted
+        if (!triangles_meet(a.corners[i], t)) continue;
+        found.pairs.push_back({a.triangles[i], b.triangles[j]});
+      }
+    }
+  }
+  std::sort(found.pairs.begin(), found.pairs.end());
+  return found;
+}
+
 }  // namespace
 
 bool triangles_meet(const Triangle& a, const Triangle& b) {
@@ -316,34 +330,6 @@ bool triangles_meet(const Triangle& a, const Triangle& b) {
   return !are_skew(a, b) && meet_in_plane(a, b);
 }
 
-namespace {
-
-/// All pairs of triangles in all pairs of leaves. a_from_b is null at rest.
-Intersections pairs_that_meet(const Bvh& a, const Bvh& b, const RigidTransform* a_from_b) {
-  Intersections found;
-  const Traversal leaves = pairs_of_leaves(a, b, a_from_b);
-  found.box_tests = leaves.box_tests;
-  for (const NodePair& pair : leaves.ends) {
-    const BvhNode& leaf_a = a.nodes[pair.a];
-    const BvhNode& leaf_b = b.nodes[pair.b];
-    found.triangle_tests += std::uint64_t{leaf_a.count} * leaf_b.count;
-    for (std::uint32_t j = leaf_b.first; j < leaf_b.first + leaf_b.count; ++j) {
-      Triangle other = b.corners[j];
-      if (a_from_b != nullptr) other = common::transformed(*a_from_b, other);
-      const Box box = box_of(other);
-      for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
-        // The boxes first: that pays, and is not counted.
-        if (!overlap(box_of(a.corners[i]), box) || !triangles_meet(a.corners[i], other)) continue;
-        found.pairs.push_back({a.triangles[i], b.triangles[j]});
-      }
-    }
-  }
-  std::sort(found.pairs.begin(), found.pairs.end());
-  return found;
-}
-
-}  // namespace
-
 Intersections find_intersections(const Bvh& a, const Bvh& b) {
   return pairs_that_meet(a, b, nullptr);
 }
@@ -352,72 +338,57 @@ Intersections find_intersections(const Bvh& a, const Bvh& b) {
 
 namespace {
 
-constexpr int depth_of_last_sah_cut = 31;
-
 /// Triangles side by side: of one bin, or all on one side of a plane.
 struct Bin {
+  Box box;
+  double count = 0.0;
+
   void add(const Bin& more) {
     box = merged(box, more.box);
     count += more.count;
   }
-
-  Box box;
-  double count = 0.0;
+  [[nodiscard]] double cost() const { return surface_area(box) * count; }  // A N of eq. (8)
 };
-
-/// A N of eq. (8).
-double cost(const Bin& side) { return surface_area(side.box) * side.count; }
-
-/// A plane between two bins along an axis.
-struct Plane {
-  double cost = std::numeric_limits<double>::infinity();
-  int axis = 0;
-  int bin = 0;  ///< the first beyond the plane; 0: there is no plane
-};
-
-int bin_of(const Vec3& centroid, const Box& spread, int axis, int bins) {
-  const double share = (centroid[axis] - spread.low[axis]) / (spread.high[axis] - spread.low[axis]);
-  return std::min(static_cast<int>(bins * share), bins - 1);
-}
-
-/// The better of `best` and all planes between filled bins along the axis. The first and the last
-/// bin are never empty, so no plane has an empty side.
-Plane better_plane(const std::vector<Bin>& filled, int axis, Plane best) {
-  std::vector<Bin> right = filled;  // from each bin on
-  for (std::size_t i = filled.size() - 1; i-- > 0;) right[i].add(right[i + 1]);
-  Bin left;
-  for (std::size_t i = 1; i < filled.size(); ++i) {
-    left.add(filled[i - 1]);
-    const double both = cost(left) + cost(right[i]);  // eq. (8)
-    if (both < best.cost) best = {both, axis, static_cast<int>(i)};
-  }
-  return best;
-}
 
 Place cut_by_area(const Parts& parts, Place begin, Place end, int depth, int bins) {
-  if (depth > depth_of_last_sah_cut) return halved(parts, begin, end);
+  if (depth >= 32) return halved(parts, begin, end, depth, bins);  // or it may grow too deep
   const Box spread = spread_of_centroids(parts, begin, end);
-  Plane best;
+  const auto size = static_cast<std::size_t>(bins);
+  const auto bin_of = [&](std::uint32_t i, int axis) {
+    const double width = (spread.high[axis] - spread.low[axis]) / bins;
+    const double place = (parts[i].centroid[axis] - spread.low[axis]) / width;
+    return std::min(static_cast<std::size_t>(place), size - 1);
+  };
+  double least = std::numeric_limits<double>::infinity();
+  int best_axis = 0;
+  std::size_t best_bin = 0;  // the first beyond the plane
   for (int axis = 0; axis < 3; ++axis) {
-    if (!(spread.high[axis] > spread.low[axis])) continue;  // equal centroids: the bin were 0/0
-    std::vector<Bin> filled(static_cast<std::size_t>(bins));
-    for (Place i = begin; i != end; ++i) {
-      const int bin = bin_of(parts[*i].centroid, spread, axis, bins);
-      filled[static_cast<std::size_t>(bin)].add({parts[*i].box, 1.0});
+    if (!(spread.high[axis] > spread.low[axis])) continue;  // a place would be 0/0
+    std::vector<Bin> filled(size);
+    for (Place i = begin; i != end; ++i) filled[bin_of(*i, axis)].add({parts[*i].box, 1.0});
+    std::vector<Bin> right = filled;  // to be all from a bin on
+    for (std::size_t i = size - 1; i > 0; --i) right[i - 1].add(right[i]);
+    Bin left;
+    for (std::size_t i = 1; i < size; ++i) {
+      left.add(filled[i - 1]);
+      // The first and the last bin are never empty: so no side of a plane is.
+      const double both = left.cost() + right[i].cost();  // eq. (8)
+      if (both >= least) continue;
+      least = both;
+      best_axis = axis;
+      best_bin = i;
     }
-    best = better_plane(filled, axis, best);
   }
-  if (best.bin == 0) return halved(parts, begin, end);
-  return std::partition(begin, end, [&](std::uint32_t i) {
-    return bin_of(parts[i].centroid, spread, best.axis, bins) < best.bin;
-  });
+  if (best_bin == 0) return halved(parts, begin, end, depth, bins);  // all centroids are equal
+  return std::partition(begin, end,
+                        [&](std::uint32_t i) { return bin_of(i, best_axis) < best_bin; });
 }
 
 }  // namespace
 
 Bvh build_sah(const TriangleMesh& mesh, int leaf_size, int bins) {
   if (bins < 2) throw std::invalid_argument("bins: want 2 or more");
-  return Builder(mesh, leaf_size, cut_by_area, bins).take();
+  return build(mesh, leaf_size, cut_by_area, bins);
 }
 
 // ---- Step 5.7 ----
@@ -426,19 +397,19 @@ namespace {
 
 /// The box around the moved box.                                                          eq. (9)
 Box moved(const Box& box, const RigidTransform& motion) {
-  const Vec3 c = 0.5 * (box.low + box.high);
-  const Vec3 h = 0.5 * (box.high - box.low);
+  Vec3 c;
+  for (int j = 0; j < 3; ++j) c[j] = 0.5 * (box.low[j] + box.high[j]);
   const Vec3 center = common::transformed(motion, c);
   Box around;
   for (int i = 0; i < 3; ++i) {
-    double half = 0.0;
+    double half = 1e-300;  // what underflows
     double size = std::abs(motion.translation[i]);
     for (int j = 0; j < 3; ++j) {
-      const double R_size = std::abs(motion.rotation(i, j));
-      half += R_size * h[j];
-      size += R_size * (std::abs(c[j]) + h[j]);
+      const double h = 0.5 * (box.high[j] - box.low[j]);
+      half += std::abs(motion.rotation(i, j)) * h;
+      size += std::abs(motion.rotation(i, j)) * (std::abs(c[j]) + h);
     }
-    half += 1e-14 * size;  // more than all roundings together, which are some 20 times 2⁻⁵³ of it
+    half += 1e-14 * size;  // more than all roundings, which are no more than 20 · 2⁻⁵³ of it
     around.low[i] = center[i] - half;
     around.high[i] = center[i] + half;
   }

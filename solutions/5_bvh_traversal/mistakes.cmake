@@ -1,39 +1,47 @@
-# The bank of mistakes: each is a misconception that students have, as a small edit of the reference.
-# add_mutant(<lab> <mistake> <step> <find> <replace> <words its message must hold>)
+# The bank of mistakes: each is a misconception that students have, as a small edit of the reference,
+# or OF another right answer.
+# add_mutant(<lab> <mistake> <step> <find> <replace> <words its message must hold> [OF <answer>])
 set(lab bvh_traversal)
 
 # ---- 5.1 ----
 
 # A loop that ends one early.
 add_mutant(${lab} box_without_third_corner 5.1
-  "{a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)}" "{a.cwiseMin(b), a.cwiseMax(b) + 0.0 * c}"
+  "for (const Vec3& corner : triangle) box = merged(box, {corner, corner});"
+  "for (std::size_t i = 0; i < 2; ++i) box = merged(box, {triangle[i], triangle[i]});"
   "third corner")
 
 # Intersection and union are mixed up.
 add_mutant(${lab} merged_is_common_part 5.1
-  "{a.low.cwiseMin(b.low), a.high.cwiseMax(b.high)}" "{a.low.cwiseMax(b.low), a.high.cwiseMin(b.high)}"
+  "box.low[i] = std::min(a.low[i], b.low[i]);  // eq. (2)
+    box.high[i] = std::max(a.high[i], b.high[i]);"
+  "box.low[i] = std::max(a.low[i], b.low[i]);
+    box.high[i] = std::min(a.high[i], b.high[i]);"
   "in common")
 
 # Touching is believed not to count.
 add_mutant(${lab} touching_boxes_dropped 5.1
-  "static_cast<int>(a.low[i] <= b.high[i]) & static_cast<int>(b.low[i] <= a.high[i])"
-  "static_cast<int>(a.low[i] < b.high[i]) & static_cast<int>(b.low[i] < a.high[i])"
+  "a.low[i] <= b.high[i] && b.low[i] <= a.high[i]" "a.low[i] < b.high[i] && b.low[i] < a.high[i]"
   "touching boxes are taken for apart")
 
 # Shadows that overlap along one axis are believed to be enough.
 add_mutant(${lab} overlap_along_one_axis 5.1
-  "reach(0) & reach(1) & reach(2)" "reach(0) | reach(1) | reach(2)" "one coordinate is enough")
+  "if (!(a.low[i] <= b.high[i] && b.low[i] <= a.high[i])) return false;  // eq. (3)
+  }
+  return true;"
+  "if (a.low[i] <= b.high[i] && b.low[i] <= a.high[i]) return true;
+  }
+  return false;" "one coordinate is enough")
 
 # The word heuristic is remembered, the surface is not.
 add_mutant(${lab} area_is_volume 5.1
-  "2.0 * (side.x() * side.y() + side.y() * side.z() + side.z() * side.x())" "side.prod()" "volume")
+  "2.0 * (w * h + h * d + d * w)" "w * h * d" "volume")
 
 # Three faces are counted.
-add_mutant(${lab} area_of_half_the_faces 5.1 "2.0 * (side.x() * side.y()" "(side.x() * side.y()"
-  "factor 2 is missing")
+add_mutant(${lab} area_of_half_the_faces 5.1 "2.0 * (w * h" "(w * h" "factor 2 is missing")
 
 # The empty box is forgotten.
-add_mutant(${lab} area_of_empty_box 5.1 "if (!(side.x() >= 0.0)) return 0.0;" "" "")
+add_mutant(${lab} area_of_empty_box 5.1 "if (!(w >= 0.0)) return 0.0;" "" "")
 
 # What has no surface is believed to be empty.
 add_mutant(${lab} merged_without_flat_boxes 5.1
@@ -43,55 +51,57 @@ add_mutant(${lab} merged_without_flat_boxes 5.1
 
 # One box begins before the other ends, and that is believed to be all.
 add_mutant(${lab} overlap_by_one_half 5.1
-  "static_cast<int>(a.low[i] <= b.high[i]) & static_cast<int>(b.low[i] <= a.high[i])"
-  "static_cast<int>(a.low[i] <= b.high[i])" "half of this is missing")
+  "a.low[i] <= b.high[i] && b.low[i] <= a.high[i]" "a.low[i] <= b.high[i]" "half of this is missing")
 
 # ---- 5.2 ----
 
 # The middle of the span is taken for the median.
 add_mutant(${lab} halved_by_place 5.2
-  "const Iterator middle = begin + (end - begin) / 2;"
+  "const Place middle = begin + (end - begin) / 2;"
   "const double plane = 0.5 * (spread.low[axis] + spread.high[axis]);
-  const Iterator part = std::partition(
-      begin, end, [&](const Entry& entry) { return entry.centroid[axis] < plane; });
+  const Place part = std::partition(
+      begin, end, [&](std::uint32_t i) { return parts[i].centroid[axis] < plane; });
   if (part != begin && part != end) return part;
-  const Iterator middle = begin + (end - begin) / 2;"
+  const Place middle = begin + (end - begin) / 2;"
   "middle of their span")
 
 # The same, and equal centroids leave one side empty for ever.
 add_mutant(${lab} endless_on_equal_centroids 5.2
-  "const Iterator middle = begin + (end - begin) / 2;"
+  "const Place middle = begin + (end - begin) / 2;"
   "const double plane = 0.5 * (spread.low[axis] + spread.high[axis]);
   if (begin != end) {
     return std::partition(begin, end,
-                          [&](const Entry& entry) { return entry.centroid[axis] < plane; });
+                          [&](std::uint32_t i) { return parts[i].centroid[axis] < plane; });
   }
-  const Iterator middle = begin;"
+  const Place middle = begin;"
   "middle of their span")
 
 # One axis is believed to do for all nodes.
-add_mutant(${lab} halved_along_x 5.2 "(spread.high - spread.low).maxCoeff(&axis);" "" "spread less")
+add_mutant(${lab} halved_along_x 5.2
+  "if (spread.high[i] - spread.low[i] > spread.high[axis] - spread.low[axis]) axis = i;" "" "spread less")
 
 # The list is cut in the middle without being sorted.
 add_mutant(${lab} halved_unsorted 5.2
-  "std::nth_element(begin, middle, end, [axis]" "std::nth_element(begin, begin, end, [axis]"
+  "std::nth_element(begin, middle, end, [&]" "std::nth_element(begin, begin, end, [&]"
   "halves are mixed")
 
 # The parent gets the box of one child.
 add_mutant(${lab} boxes_not_merged 5.2
-  "box = merged(box, build(node.first + 1, middle, end, depth + 1));"
-  "build(node.first + 1, middle, end, depth + 1);" "merge those of its children")
+  "build(node.first + 1, middle, end, depth + 1);
+      node.box = merged(bvh.nodes[node.first].box, bvh.nodes[node.first + 1].box);"
+  "build(node.first + 1, middle, end, depth + 1);
+      node.box = bvh.nodes[node.first].box;" "merge those of its children")
 
 # Off by one.
 add_mutant(${lab} leaves_too_large 5.2
-  "if (end - begin <= leaf_size_)" "if (end - begin <= leaf_size_ + 1)" "more than leaf_size")
+  "if (end - begin <= leaf_size)" "if (end - begin <= leaf_size + 1)" "more than leaf_size")
 
 # ---- 5.3 ----
 
 # Bigger and smaller are mixed up.
 add_mutant(${lab} first_descends_smaller 5.3
-  "const bool bigger_is_a = a_is_bigger(node_a, node_b);"
-  "const bool bigger_is_a = !a_is_bigger(node_a, node_b);" "smaller node is descended")
+  "const bool bigger_is_a = a_is_bigger(node_a.box, node_b.box);"
+  "const bool bigger_is_a = !a_is_bigger(node_a.box, node_b.box);" "smaller node is descended")
 
 # The loop over the children is not one.
 add_mutant(${lab} first_takes_one_child 5.3
@@ -119,31 +129,35 @@ add_mutant(${lab} leaf_and_inner_lost 5.4
 
 # The bigger node is always taken, and a leaf has no children.
 add_mutant(${lab} stuck_at_bigger_leaf 5.4
-  "const bool into_a = descend_a(node_a, node_b);"
-  "const bool into_a = a_is_bigger(node_a, node_b);
+  "const bool into_a = !is_leaf(node_a) && (is_leaf(node_b) || a_is_bigger(node_a.box, box_b));"
+  "const bool into_a = a_is_bigger(node_a.box, box_b);
     if (is_leaf(into_a ? node_a : node_b)) continue;" "bigger node is a leaf nothing is done")
 
 # Bigger and smaller are mixed up.
 add_mutant(${lab} smaller_descended 5.4
-  "(is_leaf(b) || a_is_bigger(a, b))" "(is_leaf(b) || !a_is_bigger(a, b))" "smaller node is descended")
+  "(is_leaf(node_b) || a_is_bigger(" "(is_leaf(node_b) || !a_is_bigger(" "smaller node is descended")
 
 # The loop over the children is not one.
 add_mutant(${lab} one_child_descended 5.4
-  "for (const std::uint32_t child : {1U, 0U}) {"
-  "box_tests -= 1;
-    for (const std::uint32_t child : {0U}) {" "only one child")
+  "{inner.first, inner.first + 1}" "{inner.first}" "only one child")
 
 # Both orders of a pair are gone through.
 add_mutant(${lab} pairs_of_leaves_twice 5.4
-  "at_leaves(node_a, node_b);"
-  "at_leaves(node_a, node_b);
-      at_leaves(node_a, node_b);" "reported twice")
+  "if (is_leaf(node_a) && is_leaf(node_b)) {"
+  "if (is_leaf(node_a) && is_leaf(node_b)) {
+      found.ends.push_back(pair);" "reported twice")
 
 # The order in which they are found is believed to be the sorted one.
 add_mutant(${lab} ends_unsorted 5.4
-  "for_each_pair_of_leaves(a, b, OverlapAtRest{a, b}, note);
-  std::sort(found.ends.begin(), found.ends.end());"
-  "for_each_pair_of_leaves(a, b, OverlapAtRest{a, b}, note);" "not sorted")
+  "  std::sort(found.ends.begin(), found.ends.end());
+  return found;
+}
+
+}  // namespace"
+  "  return found;
+}
+
+}  // namespace" "not sorted")
 
 # ---- 5.5 ----
 
@@ -168,8 +182,12 @@ add_mutant(${lab} planes_are_enough 5.5
 
 # Doubles are believed.
 add_mutant(${lab} sides_by_rounding 5.5
-  "if (signs[i] == 0) signs[i] = orientation(plane[0], plane[1], plane[2], points[i]);"
-  "signs[i] = static_cast<int>(n.dot(d[i]) > 0.0) - static_cast<int>(n.dot(d[i]) < 0.0);"
+  "for (std::size_t i = 0; i < 3; ++i) s[i] = orientation(plane[0], plane[1], plane[2], points[i]);"
+  "const Vec3 n = (plane[1] - plane[0]).cross(plane[2] - plane[0]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double volume = n.dot(points[i] - plane[0]);
+    s[i] = volume > 0.0 ? 1 : volume < 0.0 ? -1 : 0;
+  }"
   "decided by rounding")
 
 # A segment is believed to be no triangle.
@@ -179,71 +197,69 @@ add_mutant(${lab} segments_dropped 5.5
 
 # The pair is written as it was descended.
 add_mutant(${lab} pair_swapped 5.5
-  "found.pairs.push_back({a_.triangles[node_a.first + i], b_.triangles[node_b.first + j]});"
-  "found.pairs.push_back({b_.triangles[node_b.first + j], a_.triangles[node_a.first + i]});" "are swapped")
+  "found.pairs.push_back({a.triangles[i], b.triangles[j]});"
+  "found.pairs.push_back({b.triangles[j], a.triangles[i]});" "are swapped")
 
 # The order in which they are found is believed to be the sorted one.
 add_mutant(${lab} pairs_unsorted 5.5
-  "for_each_pair_of_leaves(a, b, OverlapAtRest{a, b}, test);
-  std::sort(test.found.pairs.begin(), test.found.pairs.end());"
-  "for_each_pair_of_leaves(a, b, OverlapAtRest{a, b}, test);" "not sorted")
+  "std::sort(found.pairs.begin(), found.pairs.end());" "" "not sorted")
 
 # A test of two leaves is counted as one.
 add_mutant(${lab} leaf_pairs_counted 5.5
-  "found.triangle_tests += std::uint64_t{node_a.count} * node_b.count;"
+  "found.triangle_tests += std::uint64_t{leaf_a.count} * leaf_b.count;"
   "found.triangle_tests += 1;" "number of pairs of leaves")
 
-# A small number is believed to be zero, whatever the size of the triangles.
+# A number is believed to be sure if it is not small, whatever the size of the triangles.
 add_mutant(${lab} sides_by_threshold 5.5
-  "const double error = 2e-15 * size.dot(furthest) + 1e-240;"
-  "const double error = 1e-14 + 0.0 * size.dot(furthest);" "")
+  "for (std::size_t i = 0; i < 3; ++i) s[i] = orientation(plane[0], plane[1], plane[2], points[i]);"
+  "const Vec3 n = (plane[1] - plane[0]).cross(plane[2] - plane[0]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double volume = n.dot(points[i] - plane[0]);
+    s[i] = volume > 1e-14    ? 1
+           : volume < -1e-14 ? -1
+                             : orientation(plane[0], plane[1], plane[2], points[i]);
+  }" "")
 
 # Shadows are believed to need no exact arithmetic.
 add_mutant(${lab} shadows_by_rounding 5.5
-  "const Signs s{orientation(p, q, b[0]), orientation(p, q, b[1]), orientation(p, q, b[2])};"
-  "const auto turn = [&](const Vec2& r) {
-      const Vec2 e = q - p;
-      const Vec2 f = r - p;
-      const double area = e.x() * f.y() - e.y() * f.x();
-      return area > 0.0 ? 1 : area < 0.0 ? -1 : 0;
-    };
-    const Signs s{turn(b[0]), turn(b[1]), turn(b[2])};" "")
+  "return orientation(Vec2(p[x], p[y]), Vec2(q[x], q[y]), Vec2(c[x], c[y]));"
+  "const double area = (q[x] - p[x]) * (c[y] - p[y]) - (q[y] - p[y]) * (c[x] - p[x]);
+      return area > 0.0 ? 1 : area < 0.0 ? -1 : 0;" "")
 
 # Planes are believed to need no margin.
 add_mutant(${lab} planes_without_margin 5.5
-  "return 2e-14 * n.cwiseAbs" "return 0.0 * n.cwiseAbs" "")
+  "return 2e-14 * n.cwiseAbs" "return 0.0 * n.cwiseAbs" "" OF for_speed)
 
 # ---- 5.6 ----
 
 # The volume is believed to be what a box costs.
 add_mutant(${lab} sah_by_volume 5.6
-  "return surface_area(side.box) * side.count;"
-  "return side.count > 0.0 ? (side.box.high - side.box.low).prod() * side.count : 0.0;"
+  "return surface_area(box) * count;"
+  "return count > 0.0 ? (box.high - box.low).prod() * count : 0.0;"
   "weighs the sides by the volumes")
 
 # The surfaces alone are added up.
 add_mutant(${lab} sah_without_numbers 5.6
-  "return surface_area(side.box) * side.count;" "return surface_area(side.box);"
+  "return surface_area(box) * count;" "return surface_area(box);"
   "not by their numbers")
 
 # The axis is chosen as for the median.
 add_mutant(${lab} sah_along_one_axis 5.6
-  "for (Eigen::Index axis = 0; axis < 3; ++axis) try_planes(axis, best);"
-  "Eigen::Index axis = 0;
-    (spread_.high - spread_.low).maxCoeff(&axis);
-    try_planes(axis, best);" "only the axis of the widest spread")
+  "for (int axis = 0; axis < 3; ++axis) {"
+  "int widest = 0;
+  (spread.high - spread.low).maxCoeff(&widest);
+  for (int axis = widest; axis == widest; ++axis) {" "only the axis of the widest spread")
 
 # The median is believed to do as well.
 add_mutant(${lab} sah_is_median 5.6
-  "if (depth > depth_of_last_sah_cut) return halved(begin, end);" "if (depth >= 0) return halved(begin, end);"
+  "if (depth >= 32) return halved(" "if (depth >= 0) return halved("
   "cuts at the median")
 
 # Equal centroids are forgotten: one side of the cut is empty.
-add_mutant(${lab} sah_side_empty 5.6 "if (best.bin == 0) return halved(begin, end);" "" "")
+add_mutant(${lab} sah_side_empty 5.6 "if (best_bin == 0) return halved(parts, begin, end, depth, bins);" "" "")
 
 # The last depth for the heuristic is taken for the first without it.
-add_mutant(${lab} sah_one_level_further 5.6 "constexpr int depth_of_last_sah_cut = 31;"
-  "constexpr int depth_of_last_sah_cut = 32;" "")
+add_mutant(${lab} sah_one_level_further 5.6 "if (depth >= 32)" "if (depth >= 33)" "")
 
 # ---- 5.7 ----
 
@@ -264,19 +280,20 @@ add_mutant(${lab} moved_without_shift 5.7
 
 # The half sides are turned like a vector.
 add_mutant(${lab} moved_box_too_small 5.7
-  "R_size_(motion.rotation.cwiseAbs())" "R_size_(motion.rotation)" "")
+  "half += std::abs(motion.rotation(i, j)) * h;" "half += motion.rotation(i, j) * h;" "")
 
 # Rounding is forgotten.
 add_mutant(${lab} moved_box_without_margin 5.7
-  "return (1e-14 + 4.0 * skewness) * size;" "return 0.0 * skewness * size;" "")
+  "half += 1e-14 * size;" "half += 0.0 * size;" "")
 
 # A margin is believed to cost nothing.
 add_mutant(${lab} moved_box_too_wide 5.7
-  "return (1e-14 + 4.0 * skewness) * size;" "return (0.02 + 4.0 * skewness) * size;" "")
+  "half += 1e-14 * size;" "half += 0.1 * size;" "")
 
 # The leaves are thought of, their parents are not.
 add_mutant(${lab} refit_of_leaves 5.7
-  "node.box = merged(bvh.nodes[node.first].box, bvh.nodes[node.first + 1].box);" "" "only the leaves")
+  "} else {
+      node.box = merged(bvh.nodes[node.first].box, bvh.nodes[node.first + 1].box);" "} else {" "only the leaves")
 
 # The corners are new, and the boxes are believed to follow.
 add_mutant(${lab} refit_without_boxes 5.7
@@ -292,6 +309,4 @@ add_mutant(${lab} refit_without_corners 5.7
 
 # Rounding is thought of where b arrives, not where it was.
 add_mutant(${lab} moved_margin_of_the_shift 5.7
-  "const double size = furthest(a.nodes[0].box) + a_from_b.translation.cwiseAbs().sum() +
-                        (1.0 + R.cwiseAbs().sum()) * furthest(b.nodes[0].box);"
-  "const double size = a_from_b.translation.cwiseAbs().sum();" "")
+  "size += std::abs(motion.rotation(i, j)) * (std::abs(c[j]) + h);" "" "")

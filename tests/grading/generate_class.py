@@ -50,7 +50,7 @@ def wrong(lab: Lab, draw: random.Random) -> Made:
     table = read_table(ROOT, lab)
     mistake = draw.choice(mistakes(lab))
     most = FULL + table.bonus - table.steps[mistake.step].points
-    return reference(lab).replace(mistake.find, mistake.replace).encode("utf-8"), 0, most
+    return mistake.wrong_answer().encode("utf-8"), 0, most
 
 
 def partial(lab: Lab, draw: random.Random) -> Made:

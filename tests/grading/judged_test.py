@@ -82,13 +82,11 @@ class EveryLab(unittest.TestCase):
         chosen = []
         files = []
         for lab in graded_labs():
-            text = (ROOT / "solutions" / lab.folder / lab.stub.name).read_text(encoding="utf-8")
             bank = mistakes(lab)
             self.assertGreaterEqual(len(bank), 8)
             for mistake in bank if str(lab.number) in whole else bank[:1]:
-                self.assertIn(mistake.find, text)
                 chosen.append((lab, mistake))
-                files.append((lab, text.replace(mistake.find, mistake.replace).encode(), False))
+                files.append((lab, mistake.wrong_answer().encode(), False))
         for (lab, mistake), result in zip(chosen, self.all_judged(files)):
             with self.subTest(f"{lab.name} {mistake.name}"):
                 self.require_caught(result, mistake)

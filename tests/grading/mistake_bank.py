@@ -13,16 +13,32 @@ _MUTANT = re.compile(rf"^ *add_mutant\(((?:\s*(?:{_WORD}))+)\s*\)", re.M | re.S)
 
 
 class Mistake(NamedTuple):
+    answer: Path
+    """The right answer in which it is made: the reference, or what OF names."""
     name: str
     step: str
     find: str
     replace: str
     words: str
 
+    def wrong_answer(self) -> str:
+        """The text of the answer with the mistake in it."""
+        right = self.answer.read_text(encoding="utf-8")
+        if self.find not in right:
+            raise ValueError(f"{self.name}: '{self.find}' is not in {self.answer}")
+        return right.replace(self.find, self.replace)
+
 
 def mistakes(lab: Lab) -> list[Mistake]:
-    text = (ROOT / "solutions" / lab.folder / "mistakes.cmake").read_text(encoding="utf-8")
+    solutions = ROOT / "solutions" / lab.folder
+    text = (solutions / "mistakes.cmake").read_text(encoding="utf-8")
     text = re.sub(r"^ *#.*$", "", text, flags=re.M)
-    words = [[word.replace("\\n", "\n") for word in shlex.split(found)]
-             for found in _MUTANT.findall(text)]
-    return [Mistake(*each[1:6]) for each in words if len(each) == 6]
+    bank = []
+    for found in _MUTANT.findall(text):
+        _, *words = [word.replace("\\n", "\n") for word in shlex.split(found)]
+        of = words[5:]
+        if len(words) < 5 or of and (len(of) != 2 or of[0] != "OF"):
+            raise ValueError(f"add_mutant({found}): want six arguments, and OF an answer or nothing")
+        answer = solutions / (f"{of[1]}.cpp" if of else lab.stub.name)
+        bank.append(Mistake(answer, *words[:5]))
+    return bank

@@ -5,6 +5,7 @@
 using Base::allFinite;
 using Base::cross;
 using Base::cwiseAbs;
+using Base::cwiseInverse;
 using Base::cwiseMax;
 using Base::cwiseMin;
 using Base::cwiseProduct;
@@ -58,7 +59,7 @@ bool allFinite() const requires is_small {
   return true;
 }
 
-Matrix cross(const Matrix& b) const requires(is_small && SizeAtCompileTime == 3) {
+Matrix cross(const Matrix& b) const requires(is_small&& SizeAtCompileTime == 3) {
   const Scalar* u = this->data();
   const Scalar* v = b.data();
   return Matrix(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
@@ -86,6 +87,11 @@ Matrix cwiseMax(const Matrix& b) const requires is_small {
 Matrix cwiseAbs() const requires is_small {
   Matrix c;
   for (int i = 0; i < SizeAtCompileTime; ++i) c.data()[i] = std::abs(this->data()[i]);
+  return c;
+}
+Matrix cwiseInverse() const requires is_small {
+  Matrix c;
+  for (int i = 0; i < SizeAtCompileTime; ++i) c.data()[i] = Scalar(1) / this->data()[i];
   return c;
 }
 

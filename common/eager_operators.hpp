@@ -104,10 +104,21 @@ operator*(const Matrix<T, N, N>& a, const Transpose<const Matrix<T, N, N>>& b) {
   return a * transposed(b.nestedExpression());
 }
 
+/// R diag(d).
+template <typename T, int R, int C>
+requires SmallMatrix<T, R, C> Matrix<T, R, C>
+operator*(const Matrix<T, R, C>& a, const DiagonalWrapper<const Matrix<T, C, 1>>& b) {
+  Matrix<T, R, C> product;
+  for (int j = 0; j < C; ++j) {
+    for (int i = 0; i < R; ++i) product.data()[i + j * R] = a.data()[i + j * R] * b.diagonal()[j];
+  }
+  return product;
+}
+
 /// a bᵀ.
 template <typename T, int R, int C>
-  requires SmallMatrix<T, R, C>
-Matrix<T, R, C> operator*(const Matrix<T, R, 1>& a, const Transpose<const Matrix<T, C, 1>>& b) {
+requires SmallMatrix<T, R, C> Matrix<T, R, C>
+operator*(const Matrix<T, R, 1>& a, const Transpose<const Matrix<T, C, 1>>& b) {
   Matrix<T, R, C> product;
   for (int j = 0; j < C; ++j) {
     for (int i = 0; i < R; ++i) {

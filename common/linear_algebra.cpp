@@ -1,5 +1,6 @@
 #include "common/linear_algebra.hpp"
 
+#include <Eigen/LU>
 #include <Eigen/SVD>
 #include <stdexcept>
 
@@ -12,5 +13,7 @@ SingularValues singular_values(const Mat3& matrix) {
   const Eigen::JacobiSVD<Mat3> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
   return {svd.matrixU(), svd.singularValues(), svd.matrixV()};
 }
+
+Mat3 inverse(const Mat3& matrix) { return matrix.inverse(); }
 
 }  // namespace common

@@ -16,4 +16,8 @@ struct SingularValues {
 /// Throws std::invalid_argument where an entry is NaN or infinite.
 SingularValues singular_values(const Mat3& matrix);
 
+/// The inverse of a 3 x 3 matrix by cofactors, compiled once here for the same reason. Entries that
+/// are not finite come of a matrix that has none.
+Mat3 inverse(const Mat3& matrix);
+
 }  // namespace common

@@ -3,6 +3,7 @@
 #include "gyroscopic_tumbling.hpp"
 
 #include "common/attitude.hpp"
+#include "common/linear_algebra.hpp"
 #include "common/not_implemented.hpp"
 
 namespace lab::gyroscopic_tumbling {

@@ -2,6 +2,7 @@
 // it, the physics and the numbered equations are in README.md. Test with:  ./tumble test 6
 #include "impulse_response.hpp"
 
+#include "common/linear_algebra.hpp"
 #include "common/not_implemented.hpp"
 #include "common/require.hpp"
 

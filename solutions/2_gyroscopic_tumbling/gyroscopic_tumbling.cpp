@@ -1,12 +1,12 @@
 #include "gyroscopic_tumbling.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include "common/attitude.hpp"
+#include "common/linear_algebra.hpp"
 
 namespace lab::gyroscopic_tumbling {
 namespace {
@@ -94,7 +94,7 @@ Vec3 checked_moments(const Vec3& moments) {
 
 Vec3 angular_acceleration(const Mat3& inertia, const Vec3& angular_velocity, const Vec3& torque) {
   const Vec3& omega = angular_velocity;
-  return inertia.inverse() * (torque - omega.cross(inertia * omega));
+  return common::inverse(inertia) * (torque - omega.cross(inertia * omega));
 }
 
 double rotational_energy(const Vec3& moments, const Spin& spin) {
@@ -136,7 +136,7 @@ Mat3 implicit_jacobian(const Vec3& moments, const Vec3& next_angular_velocity_bo
 Spin step_implicit(const Vec3& moments, const Spin& spin, double dt) {
   const Vec3& omega = spin.angular_velocity_body;
   const Mat3 J = implicit_jacobian(moments, omega, dt);
-  const Vec3 next = omega - J.inverse() * implicit_residual(moments, omega, omega, dt);
+  const Vec3 next = omega - common::inverse(J) * implicit_residual(moments, omega, omega, dt);
   const Quat q = spin.world_from_body * common::exponential_map(dt * next);
   return {q.normalized(), next};
 }
@@ -223,7 +223,7 @@ RigidBodyState step_constrained(const RigidBody& body, const RigidBodyState& sta
 
 Vec3 corrected_moments(const Vec3& moments, const MomentCorrection& correction) {
   const Vec3 inverse = (1.0 + correction.scale) * moments.cwiseInverse();
-  return (inverse.array() + correction.shift).inverse();
+  return (inverse + Vec3::Constant(correction.shift)).cwiseInverse();
 }
 
 Quat moser_veselov_increment(const Vec3& moments, const Vec3& angular_momentum_body, double dt) {
@@ -242,7 +242,7 @@ Quat moser_veselov_increment(const Vec3& moments, const Vec3& angular_momentum_b
         spread.y() * e.z(), I.y(), spread.y() * e.x(),   //
         spread.z() * e.y(), spread.z() * e.x(), I.z();
     J -= 2.0 * half * e.transpose();
-    const Vec3 change = J.inverse() * F;
+    const Vec3 change = common::inverse(J) * F;
     e -= change;
     if (change.norm() <= 1e-10 * e.norm() && std::isfinite(e.squaredNorm())) {  // next: its square
       Quat p(1.0, e.x(), e.y(), e.z());

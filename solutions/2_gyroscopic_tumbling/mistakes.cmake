@@ -14,8 +14,8 @@ add_mutant(${lab} acceleration_without_term 2.1
 
 # The inverse is applied to the torque alone.
 add_mutant(${lab} acceleration_half_inverted 2.1
-  "inertia.inverse() * (torque - omega.cross(inertia * omega))"
-  "inertia.inverse() * torque - omega.cross(inertia * omega)" "too, goes through")
+  "common::inverse(inertia) * (torque - omega.cross(inertia * omega))"
+  "common::inverse(inertia) * torque - omega.cross(inertia * omega)" "too, goes through")
 
 # The energy of a particle is remembered without its half.
 add_mutant(${lab} energy_without_half 2.1
@@ -57,7 +57,7 @@ add_mutant(${lab} loop_flipped 2.2
 # As games do that call the term unstable and leave it out.
 add_mutant(${lab} loop_without_term 2.2
   "dt * angular_acceleration(inertia, state.angular_velocity, torque)"
-  "dt * inertia.inverse() * torque" "term is missing")
+  "dt * common::inverse(inertia) * torque" "term is missing")
 
 # The body's inertia is used in the world.
 add_mutant(${lab} loop_with_body_inertia 2.2
@@ -317,8 +317,8 @@ add_mutant(${lab} prediction_by_old_velocity 2.7
 # The moments are corrected instead of their inverses.
 add_mutant(${lab} moments_scaled_themselves 2.8
   "const Vec3 inverse = (1.0 + correction.scale) * moments.cwiseInverse();
-  return (inverse.array() + correction.shift).inverse();"
-  "return ((1.0 + correction.scale) * moments).array() + correction.shift;" "want their inverses")
+  return (inverse + Vec3::Constant(correction.shift)).cwiseInverse();"
+  "return (1.0 + correction.scale) * moments + Vec3::Constant(correction.shift);" "want their inverses")
 
 # The increment that belongs to the momentum at the end of the step.
 add_mutant(${lab} increment_of_the_end 2.8

@@ -1,12 +1,12 @@
 #include "impulse_response.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string>
 
+#include "common/linear_algebra.hpp"
 #include "common/require.hpp"
 
 namespace lab::impulse_response {
@@ -209,7 +209,7 @@ Vec3 contact_impulse(const RigidBody& a, const RigidBody& b, const Contact& cont
 
   const double e = material.restitution;
   const double mu = material.friction;
-  Vec3 stick = K.inverse() * (-e * u_n * n - u);  // eq. (8)
+  Vec3 stick = common::inverse(K) * (-e * u_n * n - u);  // eq. (8)
   const double stick_n = n.dot(stick);
   const Vec3 stick_t = stick - stick_n * n;
   if (stick_t.norm() <= mu * stick_n) return stick;

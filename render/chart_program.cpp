@@ -14,31 +14,46 @@ namespace {
 
 struct Options {
   std::string folder;
-  bool peers = false;
+  ChartRequest request;
 };
 
 Options options_from(int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
-  const bool peers = words.size() == 3 && words[2] == "--peers";
-  if ((words.size() != 2 && !peers) || words[0] != "--out") {
-    throw std::runtime_error(std::string("usage: ") + argv[0] + " --out DIR [--peers]");
+  const std::set<std::string> flags(words.begin() + std::min<std::ptrdiff_t>(2, argc - 1),
+                                    words.end());
+  const bool peers = flags.count("--peers") == 1;
+  const bool brief = flags.count("--short") == 1;
+  const std::size_t known = std::size_t{2} + (peers ? 1 : 0) + (brief ? 1 : 0);
+  if (words.size() != known || words[0] != "--out") {
+    throw std::runtime_error(std::string("usage: ") + argv[0] + " --out DIR [--peers] [--short]");
   }
-  return {words[1], peers};
+  return {words[1], {peers, brief ? Extent::brief : Extent::full}};
+}
+
+/// As in "5" of "5_bvh_traversal".
+std::string lab_number(const std::string& lab) { return lab.substr(0, lab.find('_')); }
+
+std::string note_of(const Chart& chart, Extent extent) {
+  if (extent == Extent::full) return "";
+  return "a short measurement, of few repeats and without the longest runs; the full one: ./tumble "
+         "chart " +
+         lab_number(chart.lab);
 }
 
 /// All methods of all charts go through one measurement.
-std::vector<Chart> measured_charts(const std::vector<MeasuredChart>& plan) {
+std::vector<Chart> measured_charts(const std::vector<MeasuredChart>& plan, Extent extent) {
   std::vector<Method> methods;
   for (const MeasuredChart& part : plan) {
     methods.insert(methods.end(), part.methods.begin(), part.methods.end());
   }
-  const std::vector<ChartSeries> series = measured(methods);
+  const std::vector<ChartSeries> series = measured(methods, extent);
   std::vector<Chart> charts;
   auto next = series.begin();
   for (const MeasuredChart& part : plan) {
     const auto end = std::next(next, static_cast<std::ptrdiff_t>(part.methods.size()));
     charts.push_back(part.chart);
     charts.back().series.assign(next, end);
+    charts.back().note = note_of(part.chart, extent);
     next = end;
   }
   return charts;
@@ -84,9 +99,9 @@ std::set<std::string> missing_methods(const ChartSet& set) {
   return left_out;
 }
 
-void draw(const ChartPlan& plan, const std::string& folder) {
+void draw(const ChartPlan& plan, const Options& options) {
   ChartSet set;
-  set.charts = measured_charts(plan.charts);
+  set.charts = measured_charts(plan.charts, options.request.extent);
   for (const RecordedChart& part : plan.histories) {
     set.histories.push_back(recorded(part.chart, part.methods));
   }
@@ -98,7 +113,7 @@ void draw(const ChartPlan& plan, const std::string& folder) {
   if (set.charts.empty() && set.histories.empty()) {
     throw std::runtime_error("nothing to draw: none of the lab's methods is written yet");
   }
-  if (!write_charts(set, folder)) {
+  if (!write_charts(set, options.folder)) {
     std::cerr << "no pictures: gnuplot is not installed (CSV files and scripts are written)\n";
   }
 }
@@ -108,15 +123,16 @@ void draw(const ChartPlan& plan, const std::string& folder) {
 int chart_main(int argc, char** argv, const ChartPlan& plan) {
   return common::run_main([&] {
     const Options options = options_from(argc, argv);
-    if (options.peers) throw std::runtime_error("this lab has no peers to draw: leave out --peers");
-    draw(plan, options.folder);
+    if (options.request.peers)
+      throw std::runtime_error("this lab has no peers to draw: leave out --peers");
+    draw(plan, options);
   });
 }
 
-int chart_main(int argc, char** argv, const std::function<ChartPlan(bool with_peers)>& plan) {
+int chart_main(int argc, char** argv, const std::function<ChartPlan(const ChartRequest&)>& plan) {
   return common::run_main([&] {
     const Options options = options_from(argc, argv);
-    draw(plan(options.peers), options.folder);
+    draw(plan(options.request), options);
   });
 }
 

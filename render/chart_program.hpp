@@ -30,14 +30,22 @@ struct ChartPlan {
   std::vector<std::string> left_out;  ///< as in "Bullet (libbullet-dev is not installed)"
 };
 
-/// The body of a chart program:  --out DIR. The methods of all charts are timed together, so that
-/// the machine's noise bends none of them. Whatever is wrong becomes one line on stderr and a
-/// non-zero exit code. Methods that are left out since they are not written yet are named, and so
-/// is a chart none of whose methods is written; where no chart is left nothing is drawn.
+/// What is asked of a chart program.
+struct ChartRequest {
+  bool peers = false;  ///< other engines, too
+  Extent extent = Extent::full;
+};
+
+/// The body of a chart program:  --out DIR [--short]. The methods of all charts are timed together,
+/// so that the machine's noise bends none of them. Whatever is wrong becomes one line on stderr and
+/// a non-zero exit code. Methods that are left out since they are not written yet are named, and so
+/// is a chart none of whose methods is written; where no chart is left nothing is drawn. With
+/// --short all is measured briefly, and a note below each chart says so.
 int chart_main(int argc, char** argv, const ChartPlan& plan);
 
-/// The same for a lab with peers:  --out DIR [--peers]. The plan with peers has their methods too,
-/// with `is_peer`, and in `left_out` the peers that are not installed.
-int chart_main(int argc, char** argv, const std::function<ChartPlan(bool with_peers)>& plan);
+/// The same for a lab with peers:  --out DIR [--peers] [--short]. The plan with peers has their
+/// methods too, with `is_peer`, and in `left_out` the peers that are not installed. A brief plan
+/// may have shorter ladders.
+int chart_main(int argc, char** argv, const std::function<ChartPlan(const ChartRequest&)>& plan);
 
 }  // namespace render

@@ -32,8 +32,10 @@ std::vector<std::string> notes(const Chart& chart) {
   for (const ChartSeries& series : chart.series) {
     if (!series.missing.empty()) missing += (missing.empty() ? "" : ", ") + series.missing;
   }
-  if (missing.empty()) return {};
-  return {"not written yet: " + missing};
+  std::vector<std::string> notes;
+  if (!missing.empty()) notes.push_back("not written yet: " + missing);
+  if (!chart.note.empty()) notes.push_back(chart.note);
+  return notes;
 }
 
 Sheet sheet_for(const Chart& chart, const Chart& shown) {

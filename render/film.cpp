@@ -1,14 +1,14 @@
 #include "render/film.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <future>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "common/run_main.hpp"
 #include "render/atomic_file.hpp"
@@ -16,30 +16,12 @@
 #include "render/film_facts.hpp"
 #include "render/film_options.hpp"
 #include "render/film_strip.hpp"
+#include "render/progress.hpp"
 #include "render/renderer.hpp"
 #include "render/staged_folder.hpp"
 
 namespace render {
 namespace {
-
-// A line on stderr that a terminal rewrites; a log gets one at each tenth.
-class Progress {
- public:
-  explicit Progress(int total) : total_(total), is_terminal_(isatty(STDERR_FILENO) == 1) {}
-
-  void show(int done) {
-    const int tenth = 10 * done / total_;
-    if (!is_terminal_ && tenth == last_tenth_) return;
-    last_tenth_ = tenth;
-    std::cerr << (is_terminal_ ? "\r" : "") << "frame " << done << " of " << total_
-              << (is_terminal_ && done < total_ ? "" : "\n") << std::flush;
-  }
-
- private:
-  int total_;
-  bool is_terminal_;
-  int last_tenth_ = -1;
-};
 
 void require(bool is_right, const std::string& message) {
   if (!is_right) throw std::invalid_argument(message);
@@ -93,13 +75,19 @@ void draw_frames(Renderer& renderer, const Film& film, const FilmOptions& option
                  const StagedFolder& folder, int frames) {
   const double aspect = static_cast<double>(options.picture.width) / options.picture.height;
   const Camera camera = camera_framing(film.bounds, film.towards_eye, aspect);
-  Progress progress(frames);
+  Progress progress("frame", frames);
+  std::future<void> written;  // a frame is packed and written while the next one is drawn
   for (int frame = 0; frame < frames; ++frame) {
     const double time = std::min(options.to, options.from + frame / options.frames_per_second);
-    const Image image = renderer.picture(film.scene_at(time), camera, options.picture);
-    write_png(image, folder.file(frame_file(frame)));
+    Image image = renderer.picture(film.scene_at(time), camera, options.picture);
+    if (written.valid()) written.get();
+    written = std::async(std::launch::async,
+                         [image = std::move(image), file = folder.file(frame_file(frame))] {
+                           write_png(image, file);
+                         });
     progress.show(frame + 1);
   }
+  written.get();
 }
 
 // Width over height of what the bounds cover as the camera sees them, within what suits a tile.

@@ -5,17 +5,28 @@
 #include <algorithm>
 #include <array>
 #include <ctime>
+#include <limits>
 #include <map>
 
 #include "common/not_implemented.hpp"
+#include "render/progress.hpp"
 
 namespace render {
 namespace {
 
-constexpr int repeats = 7;
-constexpr int repeats_of_long_runs = 3;
-constexpr double long_run = 0.3;         // [s]; it averages the machine's noise by itself
-constexpr double least_seconds = 0.004;  // of one repeat; short ones interleave more finely
+constexpr double long_run = 0.3;  // [s]; it averages the machine's noise by itself
+
+struct Effort {
+  int repeats;
+  int repeats_of_long_runs;
+  double least_seconds;  ///< of one repeat; short ones interleave more finely
+  double longest_run;    ///< [s]; a ladder ends at the first that takes longer
+};
+
+Effort effort_of(Extent extent) {
+  if (extent == Extent::brief) return {3, 1, 0.001, 0.02};
+  return {7, 3, 0.004, std::numeric_limits<double>::infinity()};
+}
 
 /// Collects the time of every repeat, by the benchmark's name.
 class Collector : public benchmark::BenchmarkReporter {
@@ -43,30 +54,72 @@ std::string name_of(std::size_t series, std::size_t point) {
   return std::to_string(series) + ":" + std::to_string(point);
 }
 
-ChartSeries judged(const Method& method) {
-  ChartSeries series{method.name, method.order, method.colour, {}, "", method.is_peer};
-  try {
-    for (const double parameter : method.parameters) {
-      const Judgement judgement = method.judge(parameter);
-      series.points.push_back({parameter, judgement.error, 0.0, judgement.evaluations,
-                               judgement.stable ? Status::ok : Status::unstable});
-    }
-  } catch (const common::NotImplemented& error) {
-    series.points.clear();
-    series.missing = error.step_and_function();
-  }
-  return series;
-}
-
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// One untimed run tells how many repeats are wanted.
-int repeats_of(const Method& method, double parameter) {
+/// [s] of one run, untimed by the benchmark.
+double first_run(const Method& method, double parameter) {
   if (method.prepare) method.prepare(parameter);
   const double start = processor_seconds();
   method.run(parameter);
-  return processor_seconds() - start < long_run ? repeats : repeats_of_long_runs;
+  return processor_seconds() - start;
 }
+
+/// A method without its timings, and how often each of its points is to be timed.
+struct Judged {
+  ChartSeries series;
+  std::vector<int> repeats;
+};
+
+/// `rung_done` is called after each parameter.
+template <typename RungDone>
+Judged judged(const Method& method, const Effort& effort, const RungDone& rung_done) {
+  Judged result{{method.name, method.order, method.colour, {}, "", method.is_peer}, {}};
+  try {
+    for (const double parameter : method.parameters) {
+      const Judgement judgement = method.judge(parameter);
+      const double seconds = first_run(method, parameter);
+      result.series.points.push_back({parameter, judgement.error, 0.0, judgement.evaluations,
+                                      judgement.stable ? Status::ok : Status::unstable});
+      result.repeats.push_back(seconds < long_run ? effort.repeats : effort.repeats_of_long_runs);
+      rung_done();
+      if (seconds > effort.longest_run) break;
+    }
+  } catch (const common::NotImplemented& error) {
+    result.series.points.clear();
+    result.repeats.clear();
+    result.series.missing = error.step_and_function();
+  }
+  return result;
+}
+
+std::vector<Judged> judged(const std::vector<Method>& methods, const Effort& effort) {
+  int rungs = 0;
+  for (const Method& method : methods) rungs += static_cast<int>(method.parameters.size());
+  Progress progress("judged", rungs);
+  std::vector<Judged> all;
+  int begun = 0;  // with the method at hand
+  for (const Method& method : methods) {
+    int done = begun;
+    all.push_back(judged(method, effort, [&] { progress.show(++done); }));
+    begun += static_cast<int>(method.parameters.size());
+  }
+  progress.show(rungs);
+  return all;
+}
+
+/// Counts the repeats of one point. Its first repeat takes several calls, each with more
+/// iterations, until these are enough; every call after that is a repeat.
+class RepeatCounter {
+ public:
+  bool is_repeat(benchmark::IterationCount iterations) {
+    const bool same = iterations == last_;
+    last_ = iterations;
+    return same;
+  }
+
+ private:
+  benchmark::IterationCount last_ = 0;
+};
 
 /// Google Benchmark takes its settings as a command line.
 void set_up_benchmark() {
@@ -84,34 +137,45 @@ std::vector<double> ladder(int first, int last, int factor) {
   return values;
 }
 
-std::vector<ChartSeries> measured(const std::vector<Method>& methods) {
+std::vector<ChartSeries> measured(const std::vector<Method>& methods, Extent extent) {
+  const Effort effort = effort_of(extent);
+  const std::vector<Judged> all = judged(methods, effort);
   set_up_benchmark();
-  std::vector<ChartSeries> all;
-  for (const Method& method : methods) {
-    all.push_back(judged(method));
-    for (std::size_t p = 0; p < all.back().points.size(); ++p) {
+  std::vector<ChartSeries> series;
+  bool any = false;
+  int repeats = 0;  // but for each point's first
+  for (const Judged& one : all) {
+    series.push_back(one.series);
+    any = any || !one.repeats.empty();
+    for (const int count : one.repeats) repeats += count - 1;
+  }
+  Progress progress("timed", repeats);
+  int done = 0;
+  for (std::size_t m = 0; m < methods.size(); ++m) {
+    const Method& method = methods[m];
+    for (std::size_t p = 0; p < series[m].points.size(); ++p) {
       const double parameter = method.parameters[p];
-      benchmark::RegisterBenchmark(name_of(all.size() - 1, p).c_str(),
-                                   [&method, parameter](benchmark::State& state) {
-                                     if (method.prepare) method.prepare(parameter);
-                                     for ([[maybe_unused]] auto turn : state) method.run(parameter);
-                                   })
-          ->Repetitions(repeats_of(method, parameter))
-          ->MinTime(least_seconds)
+      benchmark::RegisterBenchmark(
+          name_of(m, p).c_str(),
+          [&, parameter, counter = RepeatCounter()](benchmark::State& state) mutable {
+            if (method.prepare) method.prepare(parameter);
+            for ([[maybe_unused]] auto turn : state) method.run(parameter);
+            if (counter.is_repeat(state.max_iterations)) progress.show(++done);
+          })
+          ->Repetitions(all[m].repeats[p])
+          ->MinTime(effort.least_seconds)
           ->Unit(benchmark::kSecond);
     }
   }
   Collector collector;
-  if (std::any_of(all.begin(), all.end(), [](const auto& s) { return !s.points.empty(); })) {
-    benchmark::RunSpecifiedBenchmarks(&collector);
-  }
-  for (std::size_t s = 0; s < all.size(); ++s) {
-    for (std::size_t p = 0; p < all[s].points.size(); ++p) {
-      all[s].points[p].seconds = collector.median(name_of(s, p)) / methods[s].units;
+  if (any) benchmark::RunSpecifiedBenchmarks(&collector);
+  for (std::size_t s = 0; s < series.size(); ++s) {
+    for (std::size_t p = 0; p < series[s].points.size(); ++p) {
+      series[s].points[p].seconds = collector.median(name_of(s, p)) / methods[s].units;
     }
   }
   benchmark::ClearRegisteredBenchmarks();
-  return all;
+  return series;
 }
 
 }  // namespace render

@@ -32,9 +32,13 @@ struct Method {
 /// first, factor first, factor² first … up to last: a method's parameters.
 std::vector<double> ladder(int first, int last, int factor = 2);
 
+/// How much is measured: all of it, or briefly: with fewer repeats, and each ladder only up to the
+/// first rung that takes more than some hundredths of a second.
+enum class Extent { full, brief };
+
 /// Judges every method at every parameter, then times all of them by Google Benchmark in random
 /// order, several repeats each, and takes the median. A method that throws common::NotImplemented
-/// becomes a series without points that names the step.
-std::vector<ChartSeries> measured(const std::vector<Method>& methods);
+/// becomes a series without points that names the step. Says on stderr how far it is.
+std::vector<ChartSeries> measured(const std::vector<Method>& methods, Extent extent = Extent::full);
 
 }  // namespace render

@@ -3,6 +3,7 @@
 #include <stb_image.h>
 
 #include <cmath>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -11,6 +12,7 @@
 #include "common/not_implemented.hpp"
 #include "render/chart.hpp"
 #include "render/chart_folder.hpp"
+#include "render/chart_program.hpp"
 #include "render/measure.hpp"
 
 namespace fs = std::filesystem;
@@ -176,4 +178,69 @@ TEST_CASE("A method that is not written becomes a series without points", "[char
   CHECK(series[0].points[1].seconds > 0.0);
   CHECK(series[1].points.empty());
   CHECK(series[1].missing == "9.1 unwritten");
+}
+
+namespace {
+
+/// A method whose runs take 30 ms from its second rung on, and which counts them.
+Method slow_method(int& runs) {
+  Method method{"slow", 0.0, palette::blue, {1.0, 2.0, 3.0}, nullptr, nullptr, 1.0};
+  method.judge = [](double parameter) { return Judgement{1.0 / parameter, parameter, true}; };
+  method.run = [&runs](double parameter) {
+    ++runs;
+    const std::clock_t end = std::clock() + (parameter > 1.0 ? 30 : 0) * CLOCKS_PER_SEC / 1000;
+    while (std::clock() < end) {
+    }
+  };
+  return method;
+}
+
+/// The script of a chart program's only chart; empty where it failed.
+std::string script_of(std::vector<std::string> words, const fs::path& folder, int& runs) {
+  words.insert(words.begin(), {"chart_program", "--out", (folder / "chart").string()});
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  Chart chart;
+  chart.lab = "9_example";
+  chart.title = "Slow";
+  const ChartPlan plan{{{chart, {slow_method(runs)}}}, {}, {}};
+  const int code = chart_main(static_cast<int>(words.size()), argv.data(), plan);
+  return code == 0 ? content(folder / "chart/chart.gp") : "";
+}
+
+}  // namespace
+
+TEST_CASE("A brief measurement ends a ladder at its first long run", "[chart]") {
+  int runs = 0;
+  const Method method = slow_method(runs);
+  const std::vector<ChartSeries> full = measured({method});
+  REQUIRE(full.size() == 1);
+  CHECK(full[0].points.size() == 3);
+  const std::vector<ChartSeries> brief = measured({method}, Extent::brief);
+  REQUIRE(brief.size() == 1);
+  REQUIRE(brief[0].points.size() == 2);
+  CHECK(brief[0].points[1].seconds > 0.02);
+}
+
+TEST_CASE("A short chart says that it is short and how to get the full one", "[chart]") {
+  const TemporaryFolder folder;
+  int runs_of_full = 0;
+  const std::string full = script_of({}, folder.path, runs_of_full);
+  REQUIRE(!full.empty());
+  CHECK(full.find("short measurement") == std::string::npos);
+  int runs = 0;
+  const std::string brief = script_of({"--short"}, folder.path, runs);
+  CHECK(brief.find("short measurement") != std::string::npos);
+  CHECK(brief.find("./tumble chart 9") != std::string::npos);
+  CHECK(runs < runs_of_full);
+}
+
+TEST_CASE("A chart program refuses words that it does not know", "[chart]") {
+  const TemporaryFolder folder;
+  int runs = 0;
+  for (const char* word : {"--shorter", "--peers", "short"}) {
+    CHECK(script_of({word}, folder.path, runs).empty());
+  }
+  CHECK(runs == 0);
 }

@@ -179,7 +179,7 @@ render::RecordedChart long_run(const Problem& p) {
        history("exact step", palette::green, p, exactly())}};
 }
 
-render::ChartPlan plan(bool with_peers) {
+render::ChartPlan plan(const render::ChartRequest& request) {
   const Problem racket = free_problem({0.01, 1.0, 0.01});
   const Problem tumble = free_problem({1.0, 1.0, 1.0});
   const Problem top = top_problem();
@@ -193,7 +193,7 @@ render::ChartPlan plan(bool with_peers) {
       chart("top", "A heavy top: error against computing time",
             "leant over by 30°, its axis let go at rest, 30 rad/s about it", top_methods(top))};
   plan.histories = {long_run(tumble)};
-  if (!with_peers) return plan;
+  if (!request.peers) return plan;
   for (const Peer& peer : peers()) {
     if (!peer.make) {
       plan.left_out.push_back(left_out(peer));

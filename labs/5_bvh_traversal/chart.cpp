@@ -105,7 +105,7 @@ render::MeasuredChart chart(const char* name, const char* title, const char* sub
   return {chart, methods};
 }
 
-render::ChartPlan plan(bool with_peers) {
+render::ChartPlan full_plan(bool with_peers) {
   const auto at_rest = std::make_shared<Problem>(tori);
   const auto turned_spheres = std::make_shared<Problem>([](std::size_t triangles) {
     ShapePair shapes = spheres(triangles);
@@ -148,6 +148,18 @@ render::ChartPlan plan(bool with_peers) {
       render::Method peers_method = method(peer.name, {}, problems[i], sizes, by_peer(peer));
       peers_method.is_peer = true;
       plan.charts[i].methods.push_back(std::move(peers_method));
+    }
+  }
+  return plan;
+}
+
+/// The trees of a million triangles, which take seconds to build, are left out of a brief one.
+render::ChartPlan plan(const render::ChartRequest& request) {
+  render::ChartPlan plan = full_plan(request.peers);
+  if (request.extent == render::Extent::full) return plan;
+  for (render::MeasuredChart& part : plan.charts) {
+    for (render::Method& method : part.methods) {
+      std::erase_if(method.parameters, [](double triangles) { return triangles > 100000.0; });
     }
   }
   return plan;

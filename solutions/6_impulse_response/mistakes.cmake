@@ -243,21 +243,21 @@ add_mutant(${lab} cut_back_to_the_cone 6.5
 
 # Friction is that of the particles of step 6.2.
 add_mutant(${lab} friction_of_particles 6.5
-  "Vec3 stick = K.inverse()"
+  "Vec3 stick = common::inverse(K)"
   "const double j_n = -(1.0 + e) * u_n / n.dot(K * n);
   const Vec3 slip = u - u_n * n;
   const double most = slip.norm() / (a.inverse_mass + b.inverse_mass);
   if (e >= 0.0) return j_n * n - std::min(mu * j_n, most) * slip.normalized();
-  Vec3 stick = K.inverse()" "friction stops the slip of two particles")
+  Vec3 stick = common::inverse(K)" "friction stops the slip of two particles")
 
 # Normal and tangential impulse are believed not to know of each other.
 add_mutant(${lab} one_after_the_other 6.5
-  "Vec3 stick = K.inverse()"
+  "Vec3 stick = common::inverse(K)"
   "const double j_n = -(1.0 + e) * u_n / n.dot(K * n);
   const Vec3 t = (u - u_n * n).normalized();
   const double most = (u - u_n * n).norm() / t.dot(K * t);
   if (e >= 0.0) return j_n * n - std::min(mu * j_n, most) * t;
-  Vec3 stick = K.inverse()" "one after the other")
+  Vec3 stick = common::inverse(K)" "one after the other")
 
 # The factors of the torque's cross product are swapped.
 add_mutant(${lab} torque_sign 6.5

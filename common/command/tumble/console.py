@@ -2,30 +2,38 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import shutil
 import sys
 import textwrap
+import threading
 import time
+from typing import Iterator
 
 FAILED = 1
 BAD_USAGE = 2
 
 _QUIET_SECONDS = 5.0
+_LONG_SECONDS = 3.0
 _COLOURS = {"green": "32", "red": "31", "yellow": "33", "bold": "1", "dim": "2"}
 
 
 class Failure(Exception):
-    """Ends the command: one line for the user, with what there is to read beneath it."""
+    """Ends the command: one line for the user, one for what helps where there is a command that
+    does, and beneath them what there is to read."""
 
-    def __init__(self, message: str, code: int = FAILED, details: str = ""):
+    def __init__(self, message: str, code: int = FAILED, details: str = "", remedy: str = ""):
         super().__init__(message)
         self.code = code
         self.details = details
+        self.remedy = remedy
 
     def __str__(self) -> str:
-        line = f"tumble: {super().__str__()}"
-        return f"{line}\n\n{self.details.rstrip()}\n" if self.details else line
+        lines = f"tumble: {super().__str__()}"
+        if self.remedy:
+            lines += f"\ntumble: {self.remedy}"
+        return f"{lines}\n\n{self.details.rstrip()}\n" if self.details else lines
 
 
 def has_colour() -> bool:
@@ -76,31 +84,103 @@ def shortened(text: str, limit: int) -> str:
 
 
 def say(*lines: str) -> None:
-    for line in lines:
-        print(line)
+    with _line.away():
+        for line in lines:
+            print(line)
+        sys.stdout.flush()
 
 
-class Progress:
-    """One line on stderr: rewritten on a terminal, elsewhere repeated only now and then."""
+def complain(text: str) -> None:
+    """A line on stderr that stays."""
+    with _line.away():
+        print(text, file=sys.stderr, flush=True)
+
+
+class _Line:
+    """The one line on stderr that all open Progress share."""
 
     def __init__(self) -> None:
-        self._live = sys.stderr.isatty()
-        self._last = time.monotonic()
+        self._lock = threading.RLock()
+        self._open: list[Progress] = []
         self._drawn = False
+        self._said = 0.0
+        self._busy = threading.Event()
+        self._ticker = threading.Thread(target=self._tick, daemon=True)
 
-    def show(self, text: str) -> None:
-        if self._live:
-            sys.stderr.write("\r\033[K" + text[: width() - 1])
-            self._drawn = True
-        elif time.monotonic() - self._last >= _QUIET_SECONDS:
-            sys.stderr.write(text + "\n")
-            self._last = time.monotonic()
-        sys.stderr.flush()
+    def add(self, progress: Progress) -> None:
+        with self._lock:
+            if not self._open:
+                self._said = time.monotonic()
+            self._open.append(progress)
+            self._busy.set()
+            if not self._ticker.is_alive():
+                self._ticker.start()
 
-    def __enter__(self) -> Progress:
-        return self
+    def remove(self, progress: Progress) -> None:
+        with self._lock:
+            self._open.remove(progress)
+            if not self._open:
+                self._busy.clear()
+            self._clear()
 
-    def __exit__(self, *_: object) -> None:
+    def show(self) -> None:
+        with self._lock:
+            now = time.monotonic()
+            text = " | ".join(progress.told(now) for progress in self._open if progress.text)
+            if sys.stderr.isatty():
+                sys.stderr.write("\r\033[K" + text[: width() - 1])
+                self._drawn = True
+            elif text and now - self._said >= _QUIET_SECONDS:
+                sys.stderr.write(text + "\n")
+                self._said = now
+            sys.stderr.flush()
+
+    @contextlib.contextmanager
+    def away(self) -> Iterator[None]:
+        """Room for lines that stay."""
+        with self._lock:
+            self._clear()
+            yield
+
+    def _clear(self) -> None:
         if self._drawn:
             sys.stderr.write("\r\033[K")
             sys.stderr.flush()
+        self._drawn = False
+
+    def _tick(self) -> None:
+        """Nothing may look as if it hung: what takes long is told with its seconds."""
+        while self._busy.wait():
+            time.sleep(1.0)
+            with self._lock:
+                if self._open:
+                    self.show()
+
+
+_line = _Line()
+
+
+class Progress:
+    """A line on stderr: rewritten on a terminal, elsewhere repeated every few seconds. All that are
+    open at a time, as of a build and of a film that is drawn meanwhile, share it."""
+
+    def __init__(self) -> None:
+        self.text = ""
+        self._since = 0.0
+
+    def show(self, text: str) -> None:
+        if text != self.text:
+            self.text = text
+            self._since = time.monotonic()
+        _line.show()
+
+    def told(self, now: float) -> str:
+        seconds = int(now - self._since)
+        return f"{self.text} ({seconds} s)" if seconds >= _LONG_SECONDS else self.text
+
+    def __enter__(self) -> Progress:
+        _line.add(self)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        _line.remove(self)

@@ -1,38 +1,43 @@
-"""./tumble demo: from a bare machine to every picture of the course."""
+"""./tumble demo: from a bare machine to every picture of the course, the first of them early."""
 
 from __future__ import annotations
 
 import argparse
-import sys
+import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+from typing import Sequence
 
-from . import build, packages, page, pictures
+from . import build, packages, page
 from .console import FAILED, coloured, say
 from .gallery import REFERENCE
 from .labs import find_labs, is_handout
+from .pictures import Picture, prepare
+
+SHORT = "--short"
 
 
 def run(root: Path, options: argparse.Namespace) -> int:
     if is_handout(root):
         return _prepare_handout(root, options)
-    out = root / "out"
-    pictures.prepare(out)
+    demo = Demo(root)
+    prepare(demo.out)
     if not options.no_install:
         packages.install_missing(root)
-    wanted = [pictures.Picture(lab, command, REFERENCE, out)
-              for lab in find_labs(root) for command in pictures.PROGRAMS]
+    labs = find_labs(root)
+    films, charts = ([Picture(lab, command, REFERENCE, demo.out) for lab in labs]
+                     for command in ("frames", "chart"))
     known = build.targets(root, "release")
-    possible = [picture for picture in wanted if picture.target in known]
-    if possible:
-        build.require(root, "release", [picture.target for picture in possible])
-    drawn = [picture for picture in possible if _draw(root, picture)]
-    index = page.write(root, out)
-    if len(drawn) < len(wanted):
-        missing = ", ".join(picture.target for picture in wanted if picture not in drawn)
-        say("", f"Not drawn: {missing}. ./tumble doctor says what this machine lacks.",
+    demo.draw([film for film in films if film.target in known],
+              [chart for chart in charts if chart.target in known])
+    index = page.write(root, demo.out)
+    missing = [picture.target for picture in films + charts if picture not in demo.drawn]
+    if missing:
+        say("", f"Not drawn: {', '.join(missing)}. ./tumble doctor says what this machine lacks.",
             f"All the rest: {index}")
         return FAILED
-    say("", coloured("Done.", "green") + f" Look at {index}")
+    say("", coloured("Done.", "green") + f" Look at {index}",
+        "The charts are short ones; ./tumble chart N --solution measures one in full.")
     return 0
 
 
@@ -45,7 +50,43 @@ def _prepare_handout(root: Path, options: argparse.Namespace) -> int:
     return 0
 
 
-def _draw(root: Path, picture: pictures.Picture) -> bool:
-    say(f"{picture.lab.heading}: {picture.command}")
-    sys.stdout.flush()
-    return picture.draw(root, [])
+class Demo:
+    """Draws what is built while the next is being built; every picture renews the page."""
+
+    def __init__(self, root: Path) -> None:
+        self.root = root
+        self.out = root / "out"
+        self.drawn: list[Picture] = []
+        self._start = time.monotonic()
+
+    def draw(self, films: Sequence[Picture], charts: Sequence[Picture]) -> None:
+        """Builds one lab's film after the other, then all charts. These want a quiet machine, so
+        they are measured once nothing else is left to do, and in short."""
+        with ThreadPoolExecutor(1) as painter:
+            begun = []
+            try:
+                for film in films:
+                    build.require(self.root, "release", [film.target])
+                    begun.append(painter.submit(self._show, film))
+                if charts:
+                    build.require(self.root, "release", [chart.target for chart in charts])
+            except KeyboardInterrupt:
+                painter.shutdown(cancel_futures=True)
+                raise
+            for film in begun:
+                film.result()
+        for chart in charts:
+            self._show(chart, [SHORT])
+
+    def _show(self, picture: Picture, arguments: Sequence[str] = ()) -> None:
+        if not picture.draw_meanwhile(self.root, arguments):
+            return
+        index = page.write(self.root, self.out)
+        say(f"{self._clock()}  {picture.lab.heading}: {picture.kind}")
+        self.drawn.append(picture)
+        if len(self.drawn) == 1:
+            say(f"      Open {index} now: it fills up while the rest is built; reload it.")
+
+    def _clock(self) -> str:
+        minutes, seconds = divmod(int(time.monotonic() - self._start), 60)
+        return f"{minutes}:{seconds:02d}"

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import argparse
+import re
 import shlex
 import subprocess
-import sys
 from pathlib import Path
 from typing import Sequence
 
 from . import build, page
-from .console import BAD_USAGE, FAILED, Failure, say
+from .console import BAD_USAGE, FAILED, Failure, Progress, complain, say
 from .gallery import CHART, FILM, REFERENCE, STUDENT, command_file
 from .labs import Lab, find_lab, require_solutions
 
@@ -18,29 +18,52 @@ PROGRAMS = {"frames": "scene", "chart": "chart"}
 FOLDERS = {"frames": FILM, "chart": CHART}
 PEERS = "--peers"
 
+_COUNT = re.compile(r"\w+ \d+ of \d+")
+
 
 class Picture:
     """What is to be drawn: the program that draws it and the folder that it goes to."""
 
     def __init__(self, lab: Lab, command: str, variant: str, out: Path):
         self.lab = lab
-        self.command = command
+        self.kind = FOLDERS[command]
         self.target = f"{lab.name}_{variant}_{PROGRAMS[command]}"
-        self.folder = out / lab.folder / variant / FOLDERS[command]
+        self.folder = out / lab.folder / variant / self.kind
         self.typed = ["./tumble", command, str(lab.number)]
         if variant == REFERENCE:
             self.typed.append("--solution")
 
     def draw(self, root: Path, arguments: Sequence[str], out: Sequence[str] = ()) -> bool:
         """Runs the program, which says itself what is wrong; the command goes beside its work."""
+        return self._ended(subprocess.run(self._command(root, arguments)).returncode,
+                           shlex.join([*self.typed, *arguments, *out]))
+
+    def draw_meanwhile(self, root: Path, arguments: Sequence[str] = ()) -> bool:
+        """The same while other work goes on: its counter joins the line of progress. The command
+        beside the pictures leaves the arguments out: it makes them in full."""
+        what = f"lab {self.lab.number}'s {self.kind}"
+        with Progress() as progress, subprocess.Popen(
+                self._command(root, arguments), text=True, errors="replace",
+                stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                stderr=subprocess.PIPE) as process:
+            progress.show(what)
+            for line in process.stderr or ():
+                if _COUNT.fullmatch(line.strip()):
+                    progress.show(f"{what}: {line.strip()}")
+                elif not line.startswith("wrote "):
+                    complain(line.rstrip())
+        return self._ended(process.returncode, shlex.join(self.typed))
+
+    def _command(self, root: Path, arguments: Sequence[str]) -> list[str]:
         program = build.build_folder(root, "release") / "labs" / self.lab.folder / self.target
-        done = subprocess.run([program, "--out", self.folder, *arguments])
-        if done.returncode < 0:
-            print(f"tumble: {self.target} crashed (signal {-done.returncode})", file=sys.stderr)
-        if done.returncode == 0:
-            command = shlex.join([*self.typed, *arguments, *out])
+        return [str(program), "--out", str(self.folder), *arguments]
+
+    def _ended(self, code: int, command: str) -> bool:
+        if code < 0:
+            complain(f"tumble: {self.target} crashed (signal {-code})")
+        if code == 0:
             command_file(self.folder).write_text(command + "\n", encoding="utf-8")
-        return done.returncode == 0
+        return code == 0
 
 
 def run(root: Path, options: argparse.Namespace) -> int:

@@ -1,6 +1,7 @@
 // Cases that end in every way there is; see run_each_test.py.
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -11,7 +12,7 @@
 namespace {
 
 void work_without_end() {
-  for (volatile unsigned work = 0;; work = work + 1) {
+  for (std::atomic<unsigned> work{0};; ++work) {
   }
 }
 

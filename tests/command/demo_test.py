@@ -9,7 +9,7 @@ OTHER = "2_other"
 # A program notes its call, and what had been built when it began.
 _PROGRAM = """
 echo "$*" >> "$FAKE/calls/program"
-cp "$FAKE/calls/cmake" "$FAKE/calls/built before {name}"
+cp "$FAKE/calls/ninja" "$FAKE/calls/built before {name}"
 mkdir -p "$2"
 echo "frame 1 of 2" >&2
 {body}
@@ -17,12 +17,9 @@ touch "$2/frame_0000.png" "$2/chart.csv"
 """
 
 # The build of the second lab ends when the first lab's film is on the page, and fails without it.
-_CMAKE = """
-echo "$*" >> "$FAKE/calls/cmake"
+_NINJA = """
+echo "$*" >> "$FAKE/calls/ninja"
 case "$*" in
-  --preset*) mkdir -p build/release; touch build/release/build.ninja
-    echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" > build/release/CMakeCache.txt ;;
-  *"--target help"*) cat "$FAKE/targets" ;;
   *other_reference_scene*)
     for turn in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
       [ -f out/1_spin/reference/film-command.txt ] && [ -f out/index.html ] && exit 0
@@ -39,7 +36,7 @@ class Demo(KitTestCase):
         super().setUp()
         self.kit.write(f"labs/{OTHER}/README.md", "# Lab 2: other\n")
         self.kit.write(f"solutions/{OTHER}/other.cpp", "")
-        self.kit.add_tool("cmake", _CMAKE)
+        self.kit.add_tool("ninja", _NINJA)
         self.names = [f"{lab}_reference_{kind}" for kind in ("scene", "chart")
                       for lab in ("spin", "other")]
         self.kit.write("fake/targets", "".join(f"{name}: phony\n" for name in self.names))
@@ -81,7 +78,7 @@ class Demo(KitTestCase):
         self.assertEqual(len(self.kit.calls("program")), 4)
 
     def test_when_a_build_fails_what_is_built_is_still_drawn(self) -> None:
-        self.kit.add_tool("cmake", _CMAKE.replace("*broken*", "*_chart*"))
+        self.kit.add_tool("ninja", _NINJA.replace("*broken*", "*_chart*"))
         done = self.kit.tumble("demo")
         self.assertEqual(done.returncode, 1)
         self.assertIn("the build of build/release failed", done.stderr)

@@ -60,9 +60,20 @@ class Verify(KitTestCase):
         self.assertIn(f"{LAB}/reference/1.2/Point (SEGFAULT)\noutput of", done.stdout)
         self.assertNotIn("output of kit", done.stdout)
 
-    def test_it_leaves_the_students_own_tests_out(self) -> None:
+    def test_it_leaves_the_students_own_tests_out_and_what_takes_long(self) -> None:
         self.kit.tumble("verify")
-        self.assertIn("-LE ^student$", self.kit.calls("ctest")[0])
+        self.assertEqual(len(self.kit.calls("ctest")), 1)
+        self.assertIn("-LE ^(student|long)$", self.kit.calls("ctest")[0])
+
+    def test_all_of_it_takes_in_what_takes_long_and_the_sanitizers(self) -> None:
+        done = self.kit.tumble("verify", "--all")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("clang++ is missing", done.stdout)
+        self.kit.add_tool("clang++", "")
+        self.assertEqual(self.kit.tumble("verify", "--all").returncode, 8)
+        for call, words in zip(self.kit.calls("ctest"), ("build/ci -LE ^student$",) * 2 +
+                               ("build/sanitize -L ^(right|kit)$",)):
+            self.assertIn(words, call)
 
     def test_a_handout_says_that_it_has_no_solutions(self) -> None:
         (self.kit.root / "solutions" / LAB / "spin.cpp").unlink()

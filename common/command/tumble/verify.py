@@ -16,7 +16,7 @@ _KIND_OF = {"stub": 0, "nan": 2, "mistake": 3}
 _RIGHT = 1
 _OUTPUT_LIMIT = 3000
 _WITHOUT_SANITIZERS = "^kit/(architecture|command|grading)/"
-"""Python and CMake, on which they can say nothing; the test preset `sanitize` leaves them out, too."""
+"""Python and CMake, of which they can say nothing; the preset `sanitize` leaves them out, too."""
 
 
 class Count(NamedTuple):
@@ -40,12 +40,16 @@ def run(root: Path, options: argparse.Namespace) -> int:
     code = _prove(root, "ci", ["-LE", "^student$" if options.all else "^(student|long)$"])
     if not options.all:
         return code
+    return _prove_by_sanitizers(root) or code
+
+
+def _prove_by_sanitizers(root: Path) -> int:
     if not shutil.which("clang++"):
         say("The sanitizers are left out: clang++ is missing (packages clang, libclang-rt-14-dev "
             "or libclang-rt-19-dev).")
         return FAILED
     say(coloured("Under clang's address and undefined-behaviour sanitizers", "bold"))
-    return code or _prove(root, "sanitize", ["-L", "^(right|kit)$", "-E", _WITHOUT_SANITIZERS])
+    return _prove(root, "sanitize", ["-L", "^(right|kit)$", "-E", _WITHOUT_SANITIZERS])
 
 
 def _prove(root: Path, preset: str, selection: Sequence[str]) -> int:

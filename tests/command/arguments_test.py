@@ -78,18 +78,37 @@ class Launcher(KitTestCase):
         self.kit.tumble("--help")
         self.assertEqual(list(self.kit.root.rglob("__pycache__")), [])
 
-    def test_without_python_one_line_says_so_and_nothing_is_installed(self) -> None:
+    def test_without_python_nothing_is_installed_unasked(self) -> None:
         (self.kit.tools / "python3").unlink()
         for arguments in (["test", "1"], ["demo", "--no-install"], []):
-            self.assert_one_line(self.kit.tumble(*arguments), 1)
+            done = self.kit.tumble(*arguments)
+            self.assert_cause_and_remedy(done)
+            self.assertIn("apt-get install --no-install-recommends python3\n", done.stderr)
+        self.assertIn("./tumble demo, which installs it", self.kit.tumble("test", "1").stderr)
         self.assertEqual(self.kit.calls("apt-get"), [])
 
-    def test_without_python_demo_tries_to_install_it(self) -> None:
+    def test_without_python_demo_installs_it_or_says_why_it_cannot(self) -> None:
         (self.kit.tools / "python3").unlink()
+        self.kit.add_tool("id", "echo 1000\n")
         done = self.kit.tumble("demo")
-        self.assertEqual(done.returncode, 1)
-        if os.geteuid() == 0:
-            self.assertEqual(self.kit.calls("apt-get"), ["update"])
+        self.assert_cause_and_remedy(done)
+        self.assertIn("python3 is missing; installing it takes root, and there is no sudo",
+                      done.stderr)
+        self.assertIn("as root, type: apt-get install", done.stderr)
+        self.kit.add_tool("sudo", 'exec "$@"\n')
+        self.kit.add_tool("apt-get", """echo "$*" >> "$FAKE/calls/apt-get"
+echo "E: Failed to fetch http://x  Temporary failure resolving 'x'"
+exit 100
+""")
+        done = self.kit.tumble("demo")
+        self.assert_cause_and_remedy(done)
+        self.assertIn("apt-get failed: Failed to fetch http://x  Temporary failure", done.stderr)
+        self.assertIn("or: sudo apt-get install", done.stderr)
+        self.assertEqual(len(self.kit.calls("apt-get")), 1)
+        (self.kit.tools / "apt-get").unlink()
+        done = self.kit.tumble("demo")
+        self.assert_cause_and_remedy(done)
+        self.assertIn("there is no apt-get", done.stderr)
 
     def test_a_reader_that_has_seen_enough_is_no_error(self) -> None:
         self.kit.add_tool("head_of_help", '"$1" --help 2>"$FAKE/stderr" | read -r line\n')

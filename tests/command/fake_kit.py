@@ -15,7 +15,7 @@ ROOT = Path(__file__).resolve().parents[2]
 LAB = "1_spin"
 
 _SYSTEM_TOOLS = ("sh", "dirname", "readlink", "id", "mkdir", "env", "cat", "touch", "cp", "uname",
-                 "sleep")
+                 "sleep", "true")
 
 _HANDOUT = """# Lab 1: spin & <turn>
 
@@ -123,6 +123,12 @@ class KitTestCase(unittest.TestCase):
     def setUp(self) -> None:
         self.kit = FakeKit()
         self.addCleanup(self.kit.close)
+
+    def assert_cause_and_remedy(self, done: subprocess.CompletedProcess[str]) -> None:
+        """One line says what is wrong, one what helps."""
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertRegex(done.stderr, r"\A(tumble: installing[^\n]*\n)?(tumble: [^\n]+\n){2}\Z")
+        self.assertNotIn("Traceback", done.stdout)
 
     def assert_one_line(self, done: subprocess.CompletedProcess[str], code: int) -> None:
         """One clear line on stderr, that code, and no traceback."""

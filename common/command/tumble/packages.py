@@ -1,15 +1,15 @@
-"""The Debian packages that Tumble needs, and their installation by apt: only of what is missing."""
+"""The Debian packages that Tumble needs, and their installation: only of what is missing."""
 
 from __future__ import annotations
 
 import os
-import re
 import shutil
 import subprocess
 import sys
 from pathlib import Path
-from typing import NamedTuple, Sequence, TextIO
+from typing import NamedTuple, Sequence
 
+from . import apt
 from .console import Failure, Progress
 from .labs import is_handout
 
@@ -24,31 +24,36 @@ PACKAGES = (
     Package("g++", "the C++20 compiler"),
     Package("cmake", "configures the build"),
     Package("ninja-build", "runs the build"),
-    Package("lld", "links faster", optional=True),
     Package("libeigen3-dev", "vectors, matrices, quaternions"),
     Package("catch2", "the tests"),
     Package("libboost-dev", "exact references of the tests"),
     Package("libbenchmark-dev", "timings of the charts"),
-    Package("libtinyobjloader-dev", "reads OBJ meshes"),
     Package("libstb-dev", "writes PNG pictures"),
     Package("libisal-dev", "packs PNG pictures"),
     Package("libgl-dev", "header of OpenGL"),
     Package("libosmesa6-dev", "draws without a screen: OSMesa", optional=True),
+    Package("gnuplot-nox", "draws the charts"),
+    Package("fonts-dejavu-core", "letters in pictures and charts"),
+)
+"""What the labs and their pictures take."""
+
+EGL_PACKAGES = (
     Package("libegl-dev", "header of EGL"),
     Package("libegl1", "draws without a screen: EGL"),
     Package("libegl-mesa0", "draws without a screen: EGL"),
     Package("libgl1-mesa-dri", "draws without a graphics card"),
-    Package("gnuplot-nox", "draws the charts"),
-    Package("fonts-dejavu-core", "letters in pictures and charts"),
 )
+"""In OSMesa's place where this release has none; and for the proof, which compares the two."""
 
-GRADING_PACKAGES = (
+PROOF_PACKAGES = (
+    Package("lld", "links faster: there is much to link", optional=True),
+    Package("libtinyobjloader-dev", "reads OBJ meshes"),
     Package("bubblewrap", "boxes the files that are graded"),
     Package("util-linux", "limits the files that are graded"),
 )
-"""A hand-out, which grades nobody, does without."""
+"""What ./tumble verify takes beside them; a hand-out, which proves nothing, does without."""
 
-_NEW_PACKAGES = re.compile(r"(\d+) newly installed")
+_LOG = "build/apt.log"
 
 
 def missing_packages(packages: Sequence[Package] = PACKAGES) -> list[Package]:
@@ -58,58 +63,54 @@ def missing_packages(packages: Sequence[Package] = PACKAGES) -> list[Package]:
     return [package for package in packages if package.name not in present]
 
 
-def install_missing(root: Path) -> None:
+def install_missing(root: Path, proof: bool = True) -> None:
     """Installs what is missing. An optional package that this release lacks is not missing."""
-    missing = missing_packages(PACKAGES if is_handout(root) else PACKAGES + GRADING_PACKAGES)
+    missing = _missing(root, proof)
     if not any(not package.optional for package in missing):
         missing = _available(missing)
     if not missing:
         return
     if not shutil.which("apt-get"):
-        raise _by_hand(missing, "there is no apt-get here")
-    prefix = _as_root(missing)
-    log = root / "build" / "apt.log"
-    log.parent.mkdir(exist_ok=True)
-    with Progress() as progress, open(log, "w", encoding="utf-8") as record:
-        progress.show("installing: reading the package lists")
-        subprocess.run([*prefix, "apt-get", "-q", "update"], stdout=record,
-                       stderr=subprocess.STDOUT)
-        wanted = [package for package in missing if not package.optional]
-        wanted += _available([package for package in missing if package.optional])
-        if wanted and _install(prefix, wanted, record, progress) != 0:
-            if any(not package.optional for package in wanted):
-                raise _by_hand(wanted, "apt-get failed, see build/apt.log")
+        raise Failure(f"{_count(missing)} missing, and there is no apt-get to install them with",
+                      remedy="install what these are called here, then add --no-install to the "
+                             f"command: {_names(missing)}")
+    prefix = root_prefix(missing)
+    (root / _LOG).parent.mkdir(exist_ok=True)
+    with Progress() as progress, open(root / _LOG, "w", encoding="utf-8") as record:
+        refusal = apt.update(prefix, record, progress)
+        missing = _missing(root, proof)
+        known = _available(missing)
+        needed = [package for package in missing if not package.optional]
+        if refusal and not all(package in known for package in needed):
+            raise _refused(needed, refusal)
+        wanted = needed + [package for package in known if package.optional]
+        names = [package.name for package in wanted]
+        refusal = apt.install(prefix, names, record, progress) if names else ""
+        if refusal and needed:
+            raise _refused(needed, refusal)
 
 
-def _as_root(missing: Sequence[Package]) -> list[str]:
-    setting = ["env", "DEBIAN_FRONTEND=noninteractive"]
+def _missing(root: Path, proof: bool) -> list[Package]:
+    packages = PACKAGES
+    if proof and not is_handout(root):
+        return missing_packages(packages + EGL_PACKAGES + PROOF_PACKAGES)
+    osmesa = [package for package in packages if package.name == "libosmesa6-dev"]
+    has_osmesa = not missing_packages(osmesa) or _available(osmesa)
+    return missing_packages(packages if has_osmesa else packages + EGL_PACKAGES)
+
+
+def root_prefix(missing: Sequence[Package]) -> list[str]:
+    """What stands before a command that takes root."""
     if os.geteuid() == 0:
-        return setting
+        return []
     if not shutil.which("sudo"):
-        raise _by_hand(missing, "this needs root, and there is no sudo")
+        raise Failure(f"{_count(missing)} missing; installing takes root, and there is no sudo",
+                      remedy=f"as root, type: {_by_hand(missing)}")
     print("tumble: installing packages; sudo may ask for your password", file=sys.stderr)
-    return ["sudo", *setting]
-
-
-def _install(prefix: Sequence[str], wanted: Sequence[Package], record: TextIO,
-             progress: Progress) -> int:
-    command = [*prefix, "apt-get", "-q", "-y", "--no-install-recommends",
-               "-o", "DPkg::Lock::Timeout=120", "-o", "Dpkg::Use-Pty=0", "install",
-               *(package.name for package in wanted)]
-    total = len(wanted)
-    done = 0
-    progress.show(f"installing: {total} packages and what they need")
-    with subprocess.Popen(command, text=True, errors="replace", stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT) as process:
-        for line in process.stdout or ():
-            record.write(line)
-            count = _NEW_PACKAGES.search(line)
-            if count:
-                total = int(count.group(1))
-            if line.startswith("Setting up "):
-                done += 1
-                progress.show(f"installing: {done} of {total} packages")
-    return process.returncode
+    if subprocess.run(["sudo", "true"]).returncode != 0:
+        raise Failure(f"{_count(missing)} missing; installing takes root, and sudo refuses",
+                      remedy=f"as root, type: {_by_hand(missing)}")
+    return ["sudo"]
 
 
 def _available(packages: Sequence[Package]) -> list[Package]:
@@ -118,10 +119,22 @@ def _available(packages: Sequence[Package]) -> list[Package]:
             if _query(["apt-cache", "show", "--no-all-versions", package.name])]
 
 
-def _by_hand(packages: Sequence[Package], why: str) -> Failure:
-    names = " ".join(package.name for package in packages)
-    return Failure(f"{why}; install by hand: {names} "
-                   "(or, where they have other names and are there: --no-install)")
+def _refused(packages: Sequence[Package], why: str) -> Failure:
+    sudo = "" if os.geteuid() == 0 else "sudo "
+    return Failure(f"{_count(packages)} missing, and apt-get failed: {why} (more: {_LOG})", remedy=(
+        f"once that is solved, type the same again, or: {sudo}{_by_hand(packages)}"))
+
+
+def _by_hand(packages: Sequence[Package]) -> str:
+    return f"apt-get install --no-install-recommends {_names(packages)}"
+
+
+def _names(packages: Sequence[Package]) -> str:
+    return " ".join(package.name for package in packages)
+
+
+def _count(packages: Sequence[Package]) -> str:
+    return "1 package is" if len(packages) == 1 else f"{len(packages)} packages are"
 
 
 def _query(command: Sequence[str]) -> str:

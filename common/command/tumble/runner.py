@@ -1,4 +1,4 @@
-"""Runs a lab's test program: each case in a child process of it, as tests/support/run_each.cpp does."""
+"""Runs the cases of a lab, each in a child process of its test program (tests/support/run_each)."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _OUTPUT_LIMIT = 1 << 20
 TIMEOUT = "Timeout"
 WAITS = "Waits"
 SKIPPED = "Hopeless"
-"""Reasons of a case that did not end by itself, and of one that was not run: its step is hopeless."""
+"""Reasons of a case that did not end by itself, and of one that is not run in a hopeless step."""
 
 
 class Ended(NamedTuple):

@@ -94,7 +94,7 @@ foreach(folder IN LISTS labs)
     endif()
   endforeach()
   demand(labs/CMakeLists.txt "^ *${folder}\\)?$")
-  demand(labs/${folder}/CMakeLists.txt "add_lab\\(${name}\\)")
+  demand(labs/${folder}/CMakeLists.txt "add_lab\\(${name}[ )]")
 endforeach()
 
 # Particle labs know no rigid body.

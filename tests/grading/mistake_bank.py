@@ -38,7 +38,7 @@ def mistakes(lab: Lab) -> list[Mistake]:
         _, *words = [word.replace("\\n", "\n") for word in shlex.split(found)]
         of = words[5:]
         if len(words) < 5 or of and (len(of) != 2 or of[0] != "OF"):
-            raise ValueError(f"add_mutant({found}): want six arguments, and OF an answer or nothing")
+            raise ValueError(f"add_mutant({found}): want six arguments, or OF an answer too")
         answer = solutions / (f"{of[1]}.cpp" if of else lab.stub.name)
         bank.append(Mistake(answer, *words[:5]))
     return bank

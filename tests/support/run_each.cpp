@@ -1,5 +1,5 @@
-// The main of a lab's tests, which the linker puts before Catch2's (--wrap=main). It is Catch2's, but
-// for
+// The main of a lab's tests, which the linker puts before Catch2's (--wrap=main). It is Catch2's,
+// but for
 //   PROGRAM --each CASES JOBS [Catch2's arguments]
 // which runs each case of the file CASES (lines of "step|name") in a child process: a fork costs a
 // millisecond, where a start of the program costs ten, and a crash or a hang still ends one case

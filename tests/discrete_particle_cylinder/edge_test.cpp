@@ -122,7 +122,8 @@ TEST_CASE("An edge whose ends touch sinks by a closed form of its length", "[3.5
     const double sunk = rho - std::sqrt(rho * rho - 0.25 * h * h);
     edge_trial(e, ++index, 6)
         .of("the gap")
-        .expect(gap_of(e), -sunk, tests::on_shape(4.0 * e.size()), tests::suspects_of_edge(e));
+        .expect(gap_of(e), -sunk, tests::on_shape(4.0 * e.size()),
+                [&] { return tests::suspects_of_edge(e); });
     expect_edge(e, index, 6);
   }
 }
@@ -139,9 +140,9 @@ TEST_CASE("An edge whose ends are held at the root of both squares touches", "[3
     e.cylinder = cylinder;
     // The middle is a root of what is left of two squares: h²/ρ² tells what rounding gains.
     const double size = 4.0 * e.size() * (1.0 + share * share);
-    edge_trial(e, ++index, 6)
-        .of("the gap")
-        .expect(gap_of(e), 0.0, tests::on_shape(size), tests::suspects_of_edge(e));
+    edge_trial(e, ++index, 6).of("the gap").expect(gap_of(e), 0.0, tests::on_shape(size), [&] {
+      return tests::suspects_of_edge(e);
+    });
     expect_edge(e, index, 6);
   }
 }

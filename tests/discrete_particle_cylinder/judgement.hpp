@@ -183,7 +183,7 @@ inline void expect_contact(const Trial& trial, const std::optional<ParticleConta
                {m.position, "it is the particle's centre"},
                {Vec3(axis_point + R * n), "it is the point on the cylinder"}});
   trial.of("the gap").expect(got->gap, m.gap(), {slack + 4.0 * eps * m.size(), "as in step 3.1"},
-                             suspects_of_gap(m));
+                             [&] { return suspects_of_gap(m); });
   trial.of("the time")
       .expect(got->time, m.time, {2.0 * eps * std::abs(m.time), "it is passed on, or k T/N"},
               {{0.0, story::no_time}});

@@ -10,7 +10,8 @@
 #include "values.hpp"
 
 /// Distances from the axis in a hundred digits, by the schoolbook and by brute force: what the
-/// answers return is judged by these alone.
+/// answers return is judged by these alone. Distances are compared by their squares, since a root
+/// takes as long as 25 products.
 namespace tests {
 
 using common::Cylinder;
@@ -29,7 +30,9 @@ inline ExactPoint operator-(const ExactPoint& p, const ExactPoint& q) {
 }
 inline Exact dot(const ExactPoint& p, const ExactPoint& q) { return p.y * q.y + p.z * q.z; }
 inline Exact cross(const ExactPoint& p, const ExactPoint& q) { return p.y * q.z - p.z * q.y; }
-inline Exact distance(const ExactPoint& p) { return sqrt(dot(p, p)); }
+inline Exact square(const ExactPoint& p) { return dot(p, p); }
+inline Exact square(const Vec3& p) { return square(exact(p)); }
+inline Exact distance(const ExactPoint& p) { return sqrt(square(p)); }
 inline Exact distance(const Vec3& p) { return distance(exact(p)); }
 
 inline Exact rho(double particle_radius, const Cylinder& cylinder) {
@@ -65,11 +68,17 @@ inline std::optional<Exact> foot_on_line(const Vec3& a, const Vec3& b) {
   return Exact(-dot(exact(a), edge) / square);
 }
 
-inline Exact edge_distance(const Vec3& a, const Vec3& b) {
-  const Exact ends = std::min(distance(a), distance(b));
-  const auto foot = foot_on_line(a, b);
-  return foot && *foot > 0 && *foot < 1 ? distance_at(a, b, *foot) : ends;
+/// The square of the distance of the edge from a to b: of its line, where the foot is between them.
+inline Exact edge_square(const ExactPoint& a, const ExactPoint& b) {
+  const ExactPoint edge = b - a;
+  const Exact along = -dot(a, edge);
+  const Exact length_squared = square(edge);
+  if (along <= 0 || along >= length_squared) return std::min(square(a), square(b));
+  const Exact area = cross(a, edge);
+  return area * area / length_squared;
 }
+inline Exact edge_square(const Vec3& a, const Vec3& b) { return edge_square(exact(a), exact(b)); }
+inline Exact edge_distance(const Vec3& a, const Vec3& b) { return sqrt(edge_square(a, b)); }
 
 /// b × c, c × a, a × b.
 inline std::array<Exact, 3> areas(const std::array<Vec3, 3>& p) {
@@ -84,14 +93,24 @@ inline bool pierced(const std::array<Vec3, 3>& p) {
   return std::all_of(w.begin(), w.end(), positive) || std::all_of(w.begin(), w.end(), negative);
 }
 
-inline Exact edges_distance(const std::array<Vec3, 3>& p) {
-  return std::min(
-      {edge_distance(p[0], p[1]), edge_distance(p[1], p[2]), edge_distance(p[2], p[0])});
+template <std::size_t count>
+Exact least_square(const std::array<Vec3, count>& points) {
+  Exact least = square(points[0]);
+  for (std::size_t i = 1; i < count; ++i) least = std::min(least, square(points[i]));
+  return least;
 }
 
-inline Exact triangle_distance(const std::array<Vec3, 3>& p) {
-  return pierced(p) ? Exact(0) : edges_distance(p);
+inline Exact edges_square(const std::array<Vec3, 3>& p) {
+  const std::array<ExactPoint, 3> corners{exact(p[0]), exact(p[1]), exact(p[2])};
+  return std::min({edge_square(corners[0], corners[1]), edge_square(corners[1], corners[2]),
+                   edge_square(corners[2], corners[0])});
 }
+inline Exact edges_distance(const std::array<Vec3, 3>& p) { return sqrt(edges_square(p)); }
+
+inline Exact triangle_square(const std::array<Vec3, 3>& p) {
+  return pierced(p) ? Exact(0) : edges_square(p);
+}
+inline Exact triangle_distance(const std::array<Vec3, 3>& p) { return sqrt(triangle_square(p)); }
 
 /// At `distance` from the axis.
 inline Vec3 around_axis(double x, double distance, double angle) {

@@ -22,7 +22,7 @@ void expect_right(const Flight& f, int index = 1, int count = 1) {
   const FoundTime wanted = tests::first_in(f, tests::sample_times(f));
   trial.expect(FoundTime{got ? std::optional(got->time) : std::nullopt}, wanted,
                {4.0 * tests::eps * f.path.duration, "the rounding of k T/N"},
-               tests::suspects_of_time(f));
+               [&] { return tests::suspects_of_time(f); });
   if (got) {
     // A product and a sum round, on numbers as great as the whole way.
     tests::expect_contact(trial, got, f.at(*wanted.time), 4.0 * tests::eps * f.size());

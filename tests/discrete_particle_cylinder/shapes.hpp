@@ -33,8 +33,8 @@ struct Shape {
   /// What rounding is relative to.
   [[nodiscard]] double size() const {
     Exact farthest = 0;
-    for (const Vec3& corner : p) farthest = std::max(farthest, distance(corner));
-    return rounded(farthest + rho(particle_radius, cylinder));
+    for (const Vec3& corner : p) farthest = std::max(farthest, square(corner));
+    return rounded(sqrt(farthest) + rho(particle_radius, cylinder));
   }
   [[nodiscard]] double gap_of(const Exact& distance) const {
     return rounded(distance - rho(particle_radius, cylinder));
@@ -80,17 +80,21 @@ inline std::vector<Suspect<double>> suspects_of_edge(const Edge& e) {
 
 /// The gap, and the place where it is: any that is as near.
 inline void expect_edge(const Edge& e, int index = 1, int count = 1) {
-  const auto& [a, b] = e.p;
+  const Vec3& a = e.p[0];
+  const Vec3& b = e.p[1];
   const auto got = lab::discrete_particle_cylinder::edge_gap(a, b, e.particle_radius, e.cylinder);
   const Trial trial = shape_trial("3.5 edge_gap", e, index, count);
   const double wanted = e.gap_of(edge_distance(a, b));
-  trial.of("the gap").expect(got.gap, wanted, on_shape(e.size()), suspects_of_edge(e));
+  const Bound bound = on_shape(e.size());
+  trial.of("the gap").expect(got.gap, wanted, bound, [&] { return suspects_of_edge(e); });
   trial.of("the fraction")
       .expect(got.fraction, std::clamp(got.fraction, 0.0, 1.0), {0.0, "it is in [0, 1]"});
-  const Exact foot = foot_on_line(a, b).value_or(0);
   trial.of("the gap at the fraction " + text(got.fraction))
-      .expect(e.gap_of(distance_at(a, b, Exact(got.fraction))), wanted, on_shape(e.size()),
-              {{e.gap_of(distance_at(a, b, 1 - foot)), "the fraction is counted from b"}});
+      .expect(e.gap_of(distance_at(a, b, Exact(got.fraction))), wanted, bound, [&] {
+        const Exact foot = foot_on_line(a, b).value_or(0);
+        return std::vector<Suspect<double>>{
+            {e.gap_of(distance_at(a, b, 1 - foot)), "the fraction is counted from b"}};
+      });
 }
 
 inline std::vector<Suspect<double>> suspects_of_triangle(const Triangle& t) {
@@ -115,12 +119,23 @@ inline std::vector<Suspect<double>> suspects_of_triangle(const Triangle& t) {
 
 /// How far off the weights may put the point, in parts of what rounding makes of the size: where
 /// the axis goes through they are areas over their sum, which in a sliver is small.
-inline double weights_condition(const Triangle& t) {
+inline double weights_condition(const Triangle& t, const Exact& distance, double size) {
+  if (distance > 16.0 * eps * size) return 1.0;
   const std::array<Exact, 3> w = areas(t.p);
   const Exact sum = abs(w[0]) + abs(w[1]) + abs(w[2]);
-  const Exact size = t.size();
-  if (sum == 0 || triangle_distance(t.p) > 16.0 * eps * size) return 1.0;
-  return rounded(1 + size * size / sum);
+  return sum == 0 ? 1.0 : rounded(1 + Exact(size) * size / sum);
+}
+
+/// What the gap would be at the weights of other corners.
+inline std::vector<Suspect<double>> suspects_of_weights(const Triangle& t) {
+  if (!pierced(t.p)) return {};
+  const std::array<Exact, 3> area = areas(t.p);
+  const Exact sum = area[0] + area[1] + area[2];
+  const Vec3 right(rounded(area[0] / sum), rounded(area[1] / sum), rounded(area[2] / sum));
+  const auto gap_at = [&](const Vec3& weights) { return t.gap_of(distance_at(t.p, weights)); };
+  const std::string other = "the weights are those of other corners: b x c belongs to a";
+  return {{gap_at(Vec3(right(1), right(2), right(0))), other},
+          {gap_at(Vec3(right(2), right(0), right(1))), other}};
 }
 
 /// The gap, and the place where it is: any that is as near.
@@ -129,24 +144,19 @@ inline void expect_triangle(const Triangle& t, int index = 1, int count = 1) {
   const auto got =
       lab::discrete_particle_cylinder::triangle_gap(a, b, c, t.particle_radius, t.cylinder);
   const Trial trial = shape_trial("3.5 triangle_gap", t, index, count);
-  const double wanted = t.gap_of(triangle_distance(t.p));
-  trial.of("the gap").expect(got.gap, wanted, on_shape(t.size()), suspects_of_triangle(t));
+  const Exact least = triangle_distance(t.p);
+  const double wanted = t.gap_of(least);
+  const double size = t.size();
+  trial.of("the gap").expect(got.gap, wanted, on_shape(size),
+                             [&] { return suspects_of_triangle(t); });
   const Vec3& w = got.weights;
   trial.of("the weights").expect(w, Vec3(w.cwiseMax(0.0)), {0.0, "no weight is below 0"});
   trial.of("the sum of the weights " + text(w))
       .expect(w.sum(), 1.0, {4.0 * eps, "three quotients and their sum"});
-  const auto gap_at = [&](const Vec3& weights) { return t.gap_of(distance_at(t.p, weights)); };
-  const std::string other = "the weights are those of other corners: b x c belongs to a";
-  std::vector<Suspect<double>> suspects;
-  if (pierced(t.p)) {
-    const std::array<Exact, 3> area = areas(t.p);
-    const Exact sum = area[0] + area[1] + area[2];
-    const Vec3 right(rounded(area[0] / sum), rounded(area[1] / sum), rounded(area[2] / sum));
-    suspects = {{gap_at(Vec3(right(1), right(2), right(0))), other},
-                {gap_at(Vec3(right(2), right(0), right(1))), other}};
-  }
   trial.of("the gap at the weights " + text(w))
-      .expect(gap_at(w), wanted, on_shape(t.size() * weights_condition(t)), suspects);
+      .expect(t.gap_of(distance_at(t.p, w)), wanted,
+              on_shape(size * weights_condition(t, least, size)),
+              [&] { return suspects_of_weights(t); });
 }
 
 inline Cylinder random_cylinder(Random& random) { return {random.uniform(0.2, 2.0)}; }

@@ -43,50 +43,54 @@ inline std::array<Vec3, 3> corners_of(const Sheet& sheet, std::size_t i) {
   return {sheet.positions[a], sheet.positions[b], sheet.positions[c]};
 }
 
-/// What is no farther from the axis than ρ, of `count` things of which `distance` tells how far.
-template <typename Distance>
-std::vector<std::size_t> within(const Exact& rho, std::size_t count, const Distance& distance) {
-  std::vector<std::size_t> indices;
+/// What is no farther from the axis than a distance, of `count` things: `square` of an index tells
+/// how far, squared.
+template <typename Square>
+IndexList within(const Exact& distance_squared, std::size_t count, const Square& square) {
+  IndexList list;
   for (std::size_t i = 0; i < count; ++i) {
-    if (distance(i) <= rho) indices.push_back(i);
+    if (square(i) <= distance_squared) list.indices.push_back(i);
   }
-  return indices;
+  return list;
 }
 
 /// Judges the three lists; nothing of the sheet may be within rounding of touching.
 inline void expect_sheet(const Sheet& sheet, const Cylinder& cylinder, int index = 1,
                          int count = 1) {
   const auto& p = sheet.positions;
-  const auto& edges = sheet.edges;
+  const auto ends_of = [&](std::size_t i) {
+    return std::array{p[sheet.edges[i][0]], p[sheet.edges[i][1]]};
+  };
+  const auto particle = [&](std::size_t i) { return square(p[i]); };
+  const auto ends = [&](std::size_t i) { return least_square(ends_of(i)); };
+  const auto edge = [&](std::size_t i) { return edge_square(ends_of(i)[0], ends_of(i)[1]); };
+  const auto corners = [&](std::size_t i) { return least_square(corners_of(sheet, i)); };
+  const auto sides = [&](std::size_t i) { return edges_square(corners_of(sheet, i)); };
+  const auto triangle = [&](std::size_t i) { return triangle_square(corners_of(sheet, i)); };
   const Exact sum = rho(sheet.particle_radius, cylinder);
-  const auto particle = [&](std::size_t i) { return distance(p[i]); };
-  const auto edge = [&](std::size_t i) { return edge_distance(p[edges[i][0]], p[edges[i][1]]); };
-  const auto ends = [&](std::size_t i) {
-    return std::min(distance(p[edges[i][0]]), distance(p[edges[i][1]]));
-  };
-  const auto triangle = [&](std::size_t i) { return triangle_distance(corners_of(sheet, i)); };
-  const auto sides = [&](std::size_t i) { return edges_distance(corners_of(sheet, i)); };
-  const auto corners = [&](std::size_t i) {
-    const auto [a, b, c] = corners_of(sheet, i);
-    return std::min({distance(a), distance(b), distance(c)});
-  };
+  const Exact rho_squared = sum * sum;
+  const Exact R_squared = Exact(cylinder.radius) * cylinder.radius;
+  const std::size_t edges = sheet.edges.size();
+  const std::size_t triangles = sheet.triangles.size();
+  using Suspects = std::vector<Suspect<IndexList>>;
   const SheetContacts got = lab::discrete_particle_cylinder::sheet_contacts(sheet, cylinder);
   const Trial trial = sheet_trial(sheet, cylinder, index, count);
   const Bound exactly{0.0, "a list is right or wrong"};
-  const std::size_t triangles = sheet.triangles.size();
-  const Exact R = cylinder.radius;
   trial.of("the particles")
-      .expect(IndexList{got.particles}, IndexList{within(sum, p.size(), particle)}, exactly,
-              {{IndexList{within(R, p.size(), particle)}, story::no_r}});
+      .expect(IndexList{got.particles}, within(rho_squared, p.size(), particle), exactly, [&] {
+        return Suspects{{within(R_squared, p.size(), particle), story::no_r}};
+      });
   trial.of("the edges")
-      .expect(IndexList{got.edges}, IndexList{within(sum, edges.size(), edge)}, exactly,
-              {{IndexList{within(sum, edges.size(), ends)}, story::ends_only},
-               {IndexList{within(R, edges.size(), edge)}, story::no_r}});
+      .expect(IndexList{got.edges}, within(rho_squared, edges, edge), exactly, [&] {
+        return Suspects{{within(rho_squared, edges, ends), story::ends_only},
+                        {within(R_squared, edges, edge), story::no_r}};
+      });
   trial.of("the triangles")
-      .expect(IndexList{got.triangles}, IndexList{within(sum, triangles, triangle)}, exactly,
-              {{IndexList{within(sum, triangles, sides)}, story::edges_only},
-               {IndexList{within(sum, triangles, corners)}, story::ends_only},
-               {IndexList{within(R, triangles, triangle)}, story::no_r}});
+      .expect(IndexList{got.triangles}, within(rho_squared, triangles, triangle), exactly, [&] {
+        return Suspects{{within(rho_squared, triangles, sides), story::edges_only},
+                        {within(rho_squared, triangles, corners), story::ends_only},
+                        {within(R_squared, triangles, triangle), story::no_r}};
+      });
 }
 
 /// Equilateral triangles of side `side` in n rows of n particles, flat in the xy-plane.

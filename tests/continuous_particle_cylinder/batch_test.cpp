@@ -47,9 +47,12 @@ void expect_batch(const Batch& batch) {
     const Query query = query_of(batch, i);
     const auto trial =
         tests::trial(batch_step, query, static_cast<int>(i + 1), static_cast<int>(size));
-    auto suspects = tests::suspects_of(query);
-    suspects.push_back({{-1.0}, "-1 stands for no impact: infinity does"});
-    if (i > 0 && i + 1 == size) suspects = {{batch_time(got[i]), last_missed}};
+    const auto suspects = [&] {
+      if (i > 0 && i + 1 == size) return tests::TimeSuspects{{batch_time(got[i]), last_missed}};
+      auto all = tests::suspects_of(query);
+      all.push_back({{-1.0}, "-1 stands for no impact: infinity does"});
+      return all;
+    };
     tests::expect_exact(trial, batch_time(got[i]), query, 1.0, suspects);
   }
 }

@@ -46,7 +46,7 @@ using Suspects = std::vector<tests::Suspect<Vec3>>;
 
 void expect_contact(const Query& query, double time, int index, int count) {
   const ParticleContact wanted = exact_contact(query, time);
-  const ParticleContact at_start = exact_contact(query, 0.0);
+  const auto at_start = [&] { return exact_contact(query, 0.0); };
   const Vec3& x = query.particle.position;
   const Vec3& v = query.particle.velocity;
   const double R = query.cylinder.radius;
@@ -67,30 +67,38 @@ void expect_contact(const Query& query, double time, int index, int count) {
 
   const Trial here = contact_trial(query, time, index, count);
   here.of("the normal")
-      .expect(got.normal, wanted.normal, {turn, "the rounding of x + t v over its distance"},
-              Suspects{{-wanted.normal, reversed},
-                       {at_start.normal, start},
-                       {center.norm() > 0.0 ? Vec3(center.normalized()) : center, spatial}});
+      .expect(got.normal, wanted.normal, {turn, "the rounding of x + t v over its distance"}, [&] {
+        return Suspects{{-wanted.normal, reversed},
+                        {at_start().normal, start},
+                        {center.norm() > 0.0 ? Vec3(center.normalized()) : center, spatial}};
+      });
   here.of("the point on the cylinder")
       .expect(got.point_on_cylinder, wanted.point_on_cylinder,
-              {R * turn + along, "R times the normal's"},
-              Suspects{{at_start.point_on_cylinder, start},
-                       {Vec3(center - 2.0 * radial + (distance - R) * wanted.normal), reversed},
-                       {Vec3(center - radial + (R + r) * wanted.normal),
-                        "that is R + r from the axis: the cylinder ends at R"},
-                       {Vec3(R * wanted.normal), "x is lost: the point is beside the particle"}});
+              {R * turn + along, "R times the normal's"}, [&] {
+                return Suspects{
+                    {at_start().point_on_cylinder, start},
+                    {Vec3(center - 2.0 * radial + (distance - R) * wanted.normal), reversed},
+                    {Vec3(center - radial + (R + r) * wanted.normal),
+                     "that is R + r from the axis: the cylinder ends at R"},
+                    {Vec3(R * wanted.normal), "x is lost: the point is beside the particle"}};
+              });
   here.of("the point on the particle")
       .expect(got.point_on_particle, wanted.point_on_particle,
-              {place + r * turn + along, "the rounding of x + t v, and r times the normal's"},
-              Suspects{{at_start.point_on_particle, start},
-                       {center, middle},
-                       {Vec3(center + r * wanted.normal),
-                        "that is the far side of the particle: its nearest point is to the axis"}});
+              {place + r * turn + along, "the rounding of x + t v, and r times the normal's"}, [&] {
+                return Suspects{
+                    {at_start().point_on_particle, start},
+                    {center, middle},
+                    {Vec3(center + r * wanted.normal),
+                     "that is the far side of the particle: its nearest point is to the axis"}};
+              });
   here.of("the gap").expect(
       got.gap, wanted.gap, {place + 4.0 * eps * (R + r), "the rounding of x + t v and of R + r"},
-      {{at_start.gap, start},
-       {wanted.gap + r, "the particle's radius is forgotten: R where R + r belongs"},
-       {-wanted.gap, "the gap has the wrong sign: it is above zero apart"}});
+      [&] {
+        return std::vector<tests::Suspect<double>>{
+            {at_start().gap, start},
+            {wanted.gap + r, "the particle's radius is forgotten: R where R + r belongs"},
+            {-wanted.gap, "the gap has the wrong sign: it is above zero apart"}};
+      });
   here.of("the time")
       .expect(got.time, time, {0.0, "it is passed on"},
               {{0.0, "the time of the contact is not set"}});

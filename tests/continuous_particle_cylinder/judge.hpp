@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <optional>
 #include <string>
@@ -59,11 +60,11 @@ inline Quadratic quadratic(const Query& query, double particle_radius, int dimen
 }
 inline Quadratic quadratic(const Query& query) { return quadratic(query, query.particle.radius); }
 
-inline std::optional<Digits100> exact_time(const Query& query) {
+inline std::optional<Digits50> exact_time(const Query& query) {
   return first_time(quadratic(query), query.dt);
 }
 
-inline Time rounded(const std::optional<Digits100>& exact) {
+inline Time rounded(const std::optional<Digits50>& exact) {
   return {exact ? std::optional<double>(static_cast<double>(*exact)) : std::nullopt};
 }
 
@@ -77,8 +78,8 @@ inline void add_suspects_of_path(TimeSuspects& suspects, const Query& query) {
   const Quadratic f = quadratic(query);
   if (f.a == 0 || f.b == 0 || discriminant(f) < 0) return;
   if (f.b > 0) {
-    const auto root = static_cast<double>(Digits100(
-        ldexp(Digits100(-(Digits100(f.b) + root_of_discriminant(f)) / Digits100(f.a)), f.unit)));
+    const auto root = static_cast<double>(Digits50(
+        ldexp(Digits50(-(Digits50(f.b) + root_of_discriminant(f)) / Digits50(f.a)), f.unit)));
     suspects.push_back({{root}, "a root below 0 is accepted: that impact is in the past"});
     return;
   }
@@ -118,17 +119,19 @@ inline TimeSuspects suspects_of(const Query& query) {
 }
 
 /// Requires hit or miss as in exact arithmetic, and the time to so many ulp.
-inline void expect_exact(const Trial& trial, const Time& got, const Query& query, double ulp_bound,
-                         const TimeSuspects& suspects) {
-  const std::optional<Digits100> exact = exact_time(query);
+/// suspects  of no argument, as in Trial::expect
+template <std::invocable Suspects>
+void expect_exact(const Trial& trial, const Time& got, const Query& query, double ulp_bound,
+                  const Suspects& suspects) {
+  const std::optional<Digits50> exact = exact_time(query);
   const std::string reason = text(ulp_bound) + " ulp of t, as the contract says";
-  const double bound = exact ? static_cast<double>(Digits100(ulp_bound * ulp(*exact))) : 0.0;
+  const double bound = exact ? static_cast<double>(Digits50(ulp_bound * ulp(*exact))) : 0.0;
   trial.expect(got, rounded(exact), {bound, exact ? reason : "there is no impact"}, suspects);
   if (exact) trial.expect_small("ulp from t*", ulps(*got.seconds, *exact), {ulp_bound, reason});
 }
 inline void expect_exact(const Trial& trial, const Time& got, const Query& query,
                          double ulp_bound) {
-  expect_exact(trial, got, query, ulp_bound, suspects_of(query));
+  expect_exact(trial, got, query, ulp_bound, [&] { return suspects_of(query); });
 }
 
 }  // namespace tests

@@ -41,11 +41,16 @@ class EdgeTruth {
     return {sum(to[0], from[0], -1), sum(to[1], from[1], -1)};
   }
 
-  [[nodiscard]] std::optional<double> end_touch(const Path& end) const;
+  static std::optional<double> earlier(const std::optional<double>& a,
+                                       const std::optional<double>& b) {
+    return a && b ? std::min(a, b) : a ? a : b;
+  }
+
   [[nodiscard]] std::optional<double> inside_touch(const InsideReading& reading,
                                                    const std::optional<double>& end) const;
 
   double dt_;
+  std::optional<double> end_touch_;
   Path p_, q_, q_with_velocity_of_p_;
   Whole R_, rho_;
 };
@@ -71,15 +76,10 @@ inline EdgeTruth::EdgeTruth(const EdgeCase& c) : dt_(c.dt) {
   q_with_velocity_of_p_ = {path(lengths[2], speeds[0]), path(lengths[3], speeds[1])};
   R_ = length(c.R);
   rho_ = R_ + length(edge.radius);
-}
-
-inline std::optional<double> EdgeTruth::end_touch(const Path& end) const {
-  const WholePolynomial gap = sum(dot(end, end), {rho_ * rho_}, -1);
-  if (sign_at(gap, {0, 0}) <= 0) return 0.0;
-  const Roots roots(gap);
-  const std::vector<Cell> cells = cells_of(roots);
-  if (cells.empty()) return std::nullopt;
-  return middle_of(cells[0], roots) * dt_;
+  const auto end_touch = [&](const Vec3& x, const Vec3& v) {
+    return time_of({{x, v, edge.radius}, {c.R}, c.dt}).seconds;
+  };
+  end_touch_ = earlier(end_touch(edge.a, edge.velocity_a), end_touch(edge.b, edge.velocity_b));
 }
 
 inline std::optional<double> EdgeTruth::inside_touch(const InsideReading& reading,
@@ -94,15 +94,15 @@ inline std::optional<double> EdgeTruth::inside_touch(const InsideReading& readin
   const bool foot_at_start = sign_at(p_d, {0, 0}) < 0 && sign_at(q_d, {0, 0}) > 0;
   if (!reading.start_missed && foot_at_start && sign_at(f, {0, 0}) <= 0) return 0.0;
 
-  const Roots roots(f);
+  const IsolatedRoots roots = isolated_roots(f);
   std::optional<double> last;
-  for (Cell cell : cells_of(roots)) {
+  for (Cell cell : roots.cells) {
     if (reading.line_for_edge && sign_at(f, cell.from()) <= 0) continue;
-    if (!reading.line_for_edge &&
-        (sign_at_root(f, roots, cell, p_d) >= 0 || sign_at_root(f, roots, cell, q_d) <= 0)) {
+    if (!reading.line_for_edge && (sign_at_root(roots.polynomial, cell, p_d) >= 0 ||
+                                   sign_at_root(roots.polynomial, cell, q_d) <= 0)) {
       continue;
     }
-    const double time = middle_of(cell, roots) * dt_;
+    const double time = middle_of(cell, roots.polynomial) * dt_;
     if (!reading.last) return time;
     if (!end || time < *end) last = time;
   }
@@ -110,11 +110,7 @@ inline std::optional<double> EdgeTruth::inside_touch(const InsideReading& readin
 }
 
 inline Time EdgeTruth::time(const InsideReading& reading) const {
-  const auto earlier = [](const std::optional<double>& a, const std::optional<double>& b) {
-    return a && b ? std::min(a, b) : a ? a : b;
-  };
-  const auto end = earlier(end_touch(p_), end_touch(q_));
-  return {reading.ignored ? end : earlier(end, inside_touch(reading, end))};
+  return {reading.ignored ? end_touch_ : earlier(end_touch_, inside_touch(reading, end_touch_))};
 }
 
 }  // namespace tests

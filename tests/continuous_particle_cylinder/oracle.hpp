@@ -9,11 +9,14 @@
 #include <optional>
 #include <vector>
 
-/// Times of impact in whole numbers: hit or miss without any rounding, the time in 100 digits.
+/// Times of impact in whole numbers: hit or miss without any rounding, the time in 50 digits.
 namespace tests {
 
 using boost::multiprecision::cpp_int;
 using Digits100 = boost::multiprecision::cpp_bin_float_100;
+/// Of a time, which rounds only after all that cancels is summed in whole numbers: to 2⁻¹⁶⁰ of it,
+/// where an ulp is 2⁻⁵² and bounds are counted in parts of one.
+using Digits50 = boost::multiprecision::cpp_bin_float_50;
 
 /// One coordinate of a path x + t v.
 struct Coordinate {
@@ -73,16 +76,14 @@ inline Quadratic quadratic(const std::vector<Coordinate>& path, double R, double
 
 inline cpp_int discriminant(const Quadratic& f) { return f.b * f.b - f.a * f.c; }
 
-inline Digits100 root_of_discriminant(const Quadratic& f) {
-  return sqrt(Digits100(discriminant(f)));
-}
+inline Digits50 root_of_discriminant(const Quadratic& f) { return sqrt(Digits50(discriminant(f))); }
 
 /// The two roots, of which the first must be that of an approach: b < 0, discriminant ≥ 0.
-inline Digits100 first_root(const Quadratic& f) {
-  return ldexp(Digits100(Digits100(f.c) / (root_of_discriminant(f) - Digits100(f.b))), f.unit);
+inline Digits50 first_root(const Quadratic& f) {
+  return ldexp(Digits50(Digits50(f.c) / (root_of_discriminant(f) - Digits50(f.b))), f.unit);
 }
-inline Digits100 later_root(const Quadratic& f) {
-  return ldexp(Digits100((root_of_discriminant(f) - Digits100(f.b)) / Digits100(f.a)), f.unit);
+inline Digits50 later_root(const Quadratic& f) {
+  return ldexp(Digits50((root_of_discriminant(f) - Digits50(f.b)) / Digits50(f.a)), f.unit);
 }
 
 /// Whether the first root, that of an approach, is at dt or before it.
@@ -96,22 +97,24 @@ inline bool arrives(const Quadratic& f, double dt) {
 }
 
 /// t* of a parabola, as the contract says it.
-inline std::optional<Digits100> first_time(const Quadratic& f, double dt) {
-  if (f.c <= 0) return Digits100(0);
+inline std::optional<Digits50> first_time(const Quadratic& f, double dt) {
+  if (f.c <= 0) return Digits50(0);
   if (f.b >= 0 || discriminant(f) < 0 || !arrives(f, dt)) return std::nullopt;
   return first_root(f);
 }
 
 /// The distance of neighbouring doubles at a time.
-inline Digits100 ulp(const Digits100& time) {
+template <typename Digits>
+Digits ulp(const Digits& time) {
   int exponent = 0;
   frexp(time, &exponent);
-  return ldexp(Digits100(1), time == 0 ? -1074 : std::max(exponent - 53, -1074));
+  return ldexp(Digits(1), time == 0 ? -1074 : std::max(exponent - 53, -1074));
 }
 
 /// How many ulp of the exact value lie between it and a double.
-inline double ulps(double got, const Digits100& exact) {
-  return static_cast<double>(Digits100(abs(Digits100(got) - exact) / ulp(exact)));
+template <typename Digits>
+double ulps(double got, const Digits& exact) {
+  return static_cast<double>(Digits(abs(Digits(got) - exact) / ulp(exact)));
 }
 
 }  // namespace tests

@@ -20,12 +20,18 @@ struct Code {
 };
 inline std::string text(const Code& code) { return code.code; }
 
-inline Code code(const common::Triangle& t) {
-  return {"{" + text(t[0]) + ", " + text(t[1]) + ", " + text(t[2]) + "}"};
+/// Points as an argument, which Trial prints when it must.
+struct Points {
+  std::vector<Vec3> points;
+};
+inline std::string text(const Points& list) {
+  std::string points;
+  for (const Vec3& p : list.points) points += (points.empty() ? "" : ", ") + text(p);
+  return "{" + points + "}";
 }
-inline Code code(const lab::Box& box) {
-  return {"{" + text(box.low) + ", " + text(box.high) + "}"};
-}
+
+inline Points code(const common::Triangle& t) { return {{t[0], t[1], t[2]}}; }
+inline Points code(const lab::Box& box) { return {{box.low, box.high}}; }
 
 /// A box as a value: two corners.
 struct Corners {
@@ -36,7 +42,7 @@ inline double length(const Corners& v) { return length(v.box.low) + length(v.box
 inline double difference(const Corners& a, const Corners& b) {
   return difference(a.box.low, b.box.low) + difference(a.box.high, b.box.high);
 }
-inline std::string text(const Corners& v) { return code(v.box).code; }
+inline std::string text(const Corners& v) { return text(code(v.box)); }
 
 /// A decision as a value.
 struct Decision {
@@ -87,14 +93,40 @@ inline std::string text(const Pairs& v) {
   return list + (v.pairs.size() > shown ? ", ...}" : "}");
 }
 
+inline Pairs doubled(Pairs pairs) {
+  const std::vector<Indices> once = pairs.pairs;
+  pairs.pairs.insert(pairs.pairs.end(), once.begin(), once.end());
+  std::sort(pairs.pairs.begin(), pairs.pairs.end());
+  return pairs;
+}
+
+inline Pairs swapped(Pairs pairs) {
+  for (Indices& pair : pairs.pairs) std::swap(pair[0], pair[1]);
+  std::sort(pairs.pairs.begin(), pairs.pairs.end());
+  return pairs;
+}
+
+/// Requires that the right pairs are in order.
+inline void expect_sorted(const Trial& trial, const Pairs& got, const Pairs& wanted,
+                          const std::string& name) {
+  if (std::is_sorted(got.pairs.begin(), got.pairs.end())) return;
+  Pairs sorted = got;
+  std::sort(sorted.pairs.begin(), sorted.pairs.end());
+  if (sorted.pairs != wanted.pairs) return;
+  trial.of("the order of the " + name)
+      .expect_small("pairs out of order", difference(got, sorted), exactly,
+                    "the " + name + " are not sorted");
+}
+
 /// A tree as a value, where an exception is wanted instead.
 struct Tree {
   lab::Bvh bvh;
 };
-inline bool is_finite(const Tree& v) {
-  return std::all_of(v.bvh.nodes.begin(), v.bvh.nodes.end(),
+inline bool has_finite_boxes(const lab::Bvh& bvh) {
+  return std::all_of(bvh.nodes.begin(), bvh.nodes.end(),
                      [](const lab::BvhNode& node) { return is_finite(Corners{node.box}); });
 }
+inline bool is_finite(const Tree& v) { return has_finite_boxes(v.bvh); }
 inline std::string text(const Tree& v) {
   return "a Bvh of " + std::to_string(v.bvh.nodes.size()) + " nodes";
 }

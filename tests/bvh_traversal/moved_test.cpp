@@ -55,16 +55,15 @@ std::size_t expect_moved(const TriangleMesh& a, const TriangleMesh& b,
   const Intersections found =
       trial.returned([&] { return find_intersections_moved(tree_a, tree_b, a_from_b); });
   const Pairs wanted = tests::brute_force(a, moved(b, a_from_b));
-  std::vector<tests::Suspect<Pairs>> suspects;
-  if (tests::pairs_of(found.pairs).pairs != wanted.pairs) {
-    suspects = {
+  tests::expect_pairs(trial, found, wanted, tree_a, tree_b, [&] {
+    tests::PairSuspects suspects{
         {tests::brute_force(a, moved(b, inverted(a_from_b))), inverse},
         {tests::brute_force(a, b), at_rest},
         {tests::brute_force(a, moved(b, {a_from_b.rotation, Vec3::Zero()})), rotation_only}};
     // An empty list is what many mistakes return.
     std::erase_if(suspects, [](const auto& suspect) { return suspect.value.pairs.empty(); });
-  }
-  tests::expect_pairs(trial, found, wanted, tree_a, tree_b, suspects);
+    return suspects;
+  });
   return wanted.pairs.size();
 }
 

@@ -1,18 +1,15 @@
 #pragma once
 
+#include <algorithm>
+#include <concepts>
+#include <string>
+#include <vector>
+
 #include "rational.hpp"
 #include "trees.hpp"
 
 /// All pairs that meet, by trying all.
 namespace tests {
-
-inline bool apart_by_boxes(const common::Triangle& a, const common::Triangle& b) {
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    if (std::max({a[0][i], a[1][i], a[2][i]}) < std::min({b[0][i], b[1][i], b[2][i]})) return true;
-    if (std::max({b[0][i], b[1][i], b[2][i]}) < std::min({a[0][i], a[1][i], a[2][i]})) return true;
-  }
-  return false;
-}
 
 /// Whether b is so clearly on one side of a's plane that no digits are needed to say so.
 inline bool clearly_above_or_below(const common::Triangle& a, const common::Triangle& b) {
@@ -31,39 +28,69 @@ inline bool clearly_above_or_below(const common::Triangle& a, const common::Tria
   return above == 3 || below == 3;
 }
 
-inline bool meet(const common::Triangle& a, const common::Triangle& b) {
-  return !apart_by_boxes(a, b) && !clearly_above_or_below(a, b) && !clearly_above_or_below(b, a) &&
-         meet_exactly(a, b);
+/// On which side of the plane through a, b and c a point is, where no digits are needed to say so;
+/// 0 where they are.
+inline int clear_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& point) {
+  const Vec3 e = b - a;
+  const Vec3 f = c - a;
+  const Vec3 g = point - a;
+  const double volume = e.cross(f).dot(g);
+  const double sure = 1e-12 * e.norm() * f.norm() * g.norm();
+  return volume > sure ? 1 : volume < -sure ? -1 : 0;
 }
 
-inline std::vector<common::Triangle> corners_of(const common::TriangleMesh& mesh) {
-  std::vector<common::Triangle> corners;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) corners.push_back(triangle(mesh, i));
-  return corners;
+/// Whether an edge of a so clearly goes through the inside of b.
+inline bool clearly_pierces(const common::Triangle& a, const common::Triangle& b) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3& p = a[i];
+    const Vec3& q = a[(i + 1) % 3];
+    const int before = clear_side(b[0], b[1], b[2], p);
+    if (before == 0 || clear_side(b[0], b[1], b[2], q) != -before) continue;
+    const int turn = clear_side(p, q, b[0], b[1]);
+    if (turn != 0 && clear_side(p, q, b[1], b[2]) == turn && clear_side(p, q, b[2], b[0]) == turn) {
+      return true;
+    }
+  }
+  return false;
+}
+
+inline bool share_a_corner(const common::Triangle& a, const common::Triangle& b) {
+  return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
+}
+
+/// By digits where these say so, by whole numbers where not. Of triangles whose boxes overlap.
+inline bool meet(const common::Triangle& a, const common::Triangle& b) {
+  if (share_a_corner(a, b)) return true;
+  if (clearly_above_or_below(a, b) || clearly_above_or_below(b, a)) return false;
+  return clearly_pierces(a, b) || clearly_pierces(b, a) || meet_exactly(a, b);
+}
+
+struct Boxed {
+  common::Triangle corners;
+  lab::Box box;
+};
+
+inline std::vector<Boxed> boxed(const common::TriangleMesh& mesh) {
+  std::vector<Boxed> all;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const common::Triangle corners = triangle(mesh, i);
+    all.push_back({corners, box_around(corners)});
+  }
+  return all;
 }
 
 inline Pairs brute_force(const common::TriangleMesh& a, const common::TriangleMesh& b) {
-  const std::vector<common::Triangle> corners_a = corners_of(a);
-  const std::vector<common::Triangle> corners_b = corners_of(b);
+  const std::vector<Boxed> boxed_a = boxed(a);
+  const std::vector<Boxed> boxed_b = boxed(b);
   Pairs pairs;
-  for (std::uint32_t i = 0; i < corners_a.size(); ++i) {
-    for (std::uint32_t j = 0; j < corners_b.size(); ++j) {
-      if (meet(corners_a[i], corners_b[j])) pairs.pairs.push_back({i, j});
+  for (std::uint32_t i = 0; i < boxed_a.size(); ++i) {
+    for (std::uint32_t j = 0; j < boxed_b.size(); ++j) {
+      if (boxes_meet(boxed_a[i].box, boxed_b[j].box) &&
+          meet(boxed_a[i].corners, boxed_b[j].corners)) {
+        pairs.pairs.push_back({i, j});
+      }
     }
   }
-  return pairs;
-}
-
-inline Pairs doubled(Pairs pairs) {
-  const std::vector<Indices> once = pairs.pairs;
-  pairs.pairs.insert(pairs.pairs.end(), once.begin(), once.end());
-  std::sort(pairs.pairs.begin(), pairs.pairs.end());
-  return pairs;
-}
-
-inline Pairs swapped(Pairs pairs) {
-  for (Indices& pair : pairs.pairs) std::swap(pair[0], pair[1]);
-  std::sort(pairs.pairs.begin(), pairs.pairs.end());
   return pairs;
 }
 
@@ -81,27 +108,23 @@ inline Pairs by_entries(const Pairs& pairs, const lab::Bvh& a, const lab::Bvh& b
   return entries;
 }
 
-inline const std::string unsorted = "the pairs are not sorted";
-
-inline void expect_sorted(const Trial& trial, const Pairs& got, const Pairs& wanted) {
-  Pairs sorted = got;
-  std::sort(sorted.pairs.begin(), sorted.pairs.end());
-  if (sorted.pairs != wanted.pairs) return;
-  trial.of("the order of the pairs")
-      .expect_small("pairs out of order", difference(got, sorted), exactly, unsorted);
-}
+using PairSuspects = std::vector<Suspect<Pairs>>;
 
 /// Requires the pairs of the two meshes, and no other.
-inline void expect_pairs(const Trial& trial, const lab::Intersections& found, const Pairs& wanted,
-                         const lab::Bvh& a, const lab::Bvh& b,
-                         std::vector<Suspect<Pairs>> suspects = {}) {
+/// others  suspects besides those of every query: a function, as in Trial::expect
+template <std::invocable Others>
+void expect_pairs(const Trial& trial, const lab::Intersections& found, const Pairs& wanted,
+                  const lab::Bvh& a, const lab::Bvh& b, const Others& others) {
   const Pairs got = pairs_of(found.pairs);
-  expect_sorted(trial, got, wanted);
-  suspects.push_back({doubled(wanted), "each pair is reported twice"});
-  suspects.push_back({swapped(wanted), "the two indices of a pair are swapped: a's comes first"});
-  suspects.push_back({by_entries(wanted, a, b),
-                      "these are entries, not triangles: look them up in Bvh::triangles"});
-  trial.of("the pairs").expect(got, wanted, exactly, suspects);
+  expect_sorted(trial, got, wanted, "pairs");
+  trial.of("the pairs").expect(got, wanted, exactly, [&] {
+    PairSuspects suspects = others();
+    suspects.push_back({doubled(wanted), "each pair is reported twice"});
+    suspects.push_back({swapped(wanted), "the two indices of a pair are swapped: a's comes first"});
+    suspects.push_back({by_entries(wanted, a, b),
+                        "these are entries, not triangles: look them up in Bvh::triangles"});
+    return suspects;
+  });
 }
 
 }  // namespace tests

@@ -18,7 +18,7 @@ inline lab::Box joined(const lab::Box& a, const lab::Box& b) {
 inline std::vector<Item> items_below(const lab::Bvh& bvh, const Shape& shape, std::size_t node) {
   std::vector<Item> items;
   for (const std::size_t i : entries_below(bvh, shape, node)) {
-    items.push_back({box_around(bvh.corners, i, 1), centroid(bvh.corners[i])});
+    items.push_back({box_around(bvh.corners[i]), centroid(bvh.corners[i])});
   }
   return items;
 }
@@ -52,21 +52,41 @@ inline std::vector<Sides> planes(const std::vector<Item>& items, Eigen::Index ax
     low = std::min(low, item.centroid[axis]);
     high = std::max(high, item.centroid[axis]);
   }
-  std::vector<Sides> found;
-  for (int k = 1; k < bins && high > low; ++k) {
-    const double plane = low + (high - low) * k / bins;
-    Sides sides;
-    bool clear = true;
-    for (const Item& item : items) {
-      const double distance = item.centroid[axis] - plane;
-      // A centroid on the plane to rounding may be counted on either side: such a plane is no
-      // judge.
-      clear = clear && std::abs(distance) > 1e-12 * (std::abs(low) + std::abs(high));
-      lab::Box& side = distance < 0.0 ? sides.left : sides.right;
-      side = joined(side, item.box);
-      (distance < 0.0 ? sides.in_left : sides.in_right) += 1.0;
+  if (!(high > low)) return {};
+  const auto count = static_cast<std::size_t>(bins);
+  std::vector<double> place(count, low);
+  for (std::size_t k = 1; k < count; ++k) {
+    place[k] = low + (high - low) * static_cast<double>(k) / bins;
+  }
+  // A centroid on the plane to rounding may be counted on either side: such a plane is no judge.
+  const double rounding = 1e-12 * (std::abs(low) + std::abs(high));
+  std::vector<bool> clear(count, true);
+  std::vector<lab::Box> box(count);
+  std::vector<double> number(count, 0.0);
+  for (const Item& item : items) {
+    std::size_t bin = 0;
+    for (std::size_t k = 1; k < count; ++k) {
+      const double distance = item.centroid[axis] - place[k];
+      if (std::abs(distance) <= rounding) clear[k] = false;
+      if (distance >= 0.0) bin = k;
     }
-    if (clear && sides.in_left > 0.0 && sides.in_right > 0.0) found.push_back(sides);
+    extend(box[bin], item.box);
+    number[bin] += 1.0;
+  }
+  std::vector<Sides> sides(count);
+  for (std::size_t k = 1; k < count; ++k) {
+    sides[k].left = joined(sides[k - 1].left, box[k - 1]);
+    sides[k].in_left = sides[k - 1].in_left + number[k - 1];
+  }
+  lab::Box right;
+  for (std::size_t k = count; k-- > 1;) {
+    extend(right, box[k]);
+    sides[k].right = right;
+    sides[k].in_right = static_cast<double>(items.size()) - sides[k].in_left;
+  }
+  std::vector<Sides> found;
+  for (std::size_t k = 1; k < count; ++k) {
+    if (clear[k] && sides[k].in_left > 0.0 && sides[k].in_right > 0.0) found.push_back(sides[k]);
   }
   return found;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <vector>
@@ -36,13 +37,29 @@ inline Vector cross(const Vector& a, const Vector& b) {
 inline bool is_zero(const Vector& a) { return a[0].is_zero() && a[1].is_zero() && a[2].is_zero(); }
 inline Vector normal(const WholeTriangle& t) { return cross(minus(t[1], t[0]), minus(t[2], t[0])); }
 
-/// Both in the same unit.
+/// x / 2^unit, where that is whole.
+inline Whole whole(double x, int unit) {
+  if (x == 0.0) return 0;
+  int exponent = 0;
+  const auto mantissa = static_cast<long long>(std::ldexp(std::frexp(x, &exponent), 53));
+  const int shift = exponent - 53 - unit;
+  return shift < 0 ? Whole(mantissa >> -shift) : Whole(mantissa) << static_cast<unsigned>(shift);
+}
+
+/// The power of two of the last bit of x that is not zero.
+inline int last_bit(double x) {
+  int exponent = 0;
+  const auto mantissa = static_cast<long long>(std::ldexp(std::frexp(x, &exponent), 53));
+  return exponent - 53 + std::countr_zero(static_cast<unsigned long long>(mantissa));
+}
+
+/// Both in the same unit, as large as can be: the fewer digits, the less work.
 inline std::array<WholeTriangle, 2> whole(const common::Triangle& a, const common::Triangle& b) {
   int unit = 2000;
   for (const common::Triangle* t : {&a, &b}) {
     for (const common::Vec3& corner : *t) {
       for (const double x : corner) {
-        if (x != 0.0) unit = std::min(unit, std::ilogb(x) - 52);
+        if (x != 0.0) unit = std::min(unit, last_bit(x));
       }
     }
   }
@@ -50,8 +67,8 @@ inline std::array<WholeTriangle, 2> whole(const common::Triangle& a, const commo
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto axis = static_cast<Eigen::Index>(k);
-      both[0][i][k] = Whole(std::ldexp(a[i][axis], -unit));
-      both[1][i][k] = Whole(std::ldexp(b[i][axis], -unit));
+      both[0][i][k] = whole(a[i][axis], unit);
+      both[1][i][k] = whole(b[i][axis], unit);
     }
   }
   return both;
@@ -65,29 +82,50 @@ inline Point blend(const Whole& p, const Point& a, const Whole& q, const Point& 
   return sum;
 }
 
+/// Of each point (x − origin) · normal, times its weight.
+inline std::vector<Whole> heights(const std::vector<Point>& points, const Vector& origin,
+                                  const Vector& normal) {
+  const Whole offset = dot(origin, normal);
+  std::vector<Whole> heights;
+  heights.reserve(points.size());
+  for (const Point& p : points) heights.push_back(dot(p.place, normal) - offset * p.weight);
+  return heights;
+}
+
+/// Where the way from a point to another, whose heights differ in sign, is at height 0.
+inline Point crossing(const Point& a, const Whole& at_a, const Point& b, const Whole& at_b) {
+  return at_a.sign() > 0 ? blend(at_a, b, -at_b, a) : blend(at_b, a, -at_a, b);
+}
+
 /// What the hull of the points has in (x − origin) · normal ≥ 0, as the hull of those returned.
 inline std::vector<Point> cut(const std::vector<Point>& points, const Vector& origin,
                               const Vector& normal) {
-  const Whole offset = dot(origin, normal);
-  std::vector<Whole> heights;
-  for (const Point& p : points) heights.push_back(dot(p.place, normal) - offset * p.weight);
+  const std::vector<Whole> height = heights(points, origin, normal);
   std::vector<Point> kept;
+  kept.reserve(points.size() + 1);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::size_t j = (i + 1) % points.size();
-    const int at_i = heights[i].sign();
-    const int at_j = heights[j].sign();
-    if (at_i >= 0) kept.push_back(points[i]);
-    if (at_i * at_j >= 0) continue;
-    kept.push_back(at_i > 0 ? blend(heights[i], points[j], -heights[j], points[i])
-                            : blend(heights[j], points[i], -heights[i], points[j]));
+    if (height[i].sign() >= 0) kept.push_back(points[i]);
+    if (height[i].sign() * height[j].sign() < 0) {
+      kept.push_back(crossing(points[i], height[i], points[j], height[j]));
+    }
   }
   return kept;
 }
 
+/// What it has in (x − origin) · normal = 0.
 inline std::vector<Point> cut_on_both_sides(const std::vector<Point>& points, const Vector& origin,
                                             const Vector& normal) {
-  const Vector opposite{-normal[0], -normal[1], -normal[2]};
-  return cut(cut(points, origin, normal), origin, opposite);
+  const std::vector<Whole> height = heights(points, origin, normal);
+  std::vector<Point> kept;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::size_t j = (i + 1) % points.size();
+    if (height[i].is_zero()) kept.push_back(points[i]);
+    if (height[i].sign() * height[j].sign() < 0) {
+      kept.push_back(crossing(points[i], height[i], points[j], height[j]));
+    }
+  }
+  return kept;
 }
 
 /// The two ends of corners that are on one line.
@@ -107,8 +145,9 @@ inline bool meet_exactly(const common::Triangle& a, const common::Triangle& b) {
   const Vector n = normal(t);
   if (!is_zero(n)) {
     left = cut_on_both_sides(left, t[0], n);
-    for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < 3 && !left.empty(); ++i) {
       left = cut(left, t[i], cross(n, minus(t[(i + 1) % 3], t[i])));
+    }
     return !left.empty();
   }
   const auto [p, q] = ends(t);

@@ -6,18 +6,20 @@
 /// Trees made apart from every answer, and what a traversal does with them, in the lecture's words.
 namespace tests {
 
+inline void extend(lab::Box& box, const lab::Box& by) {
+  box.low = box.low.cwiseMin(by.low);
+  box.high = box.high.cwiseMax(by.high);
+}
+
+inline lab::Box box_around(const common::Triangle& t) {
+  return {t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])};
+}
+
 /// The smallest box of some of the entries.
 inline lab::Box box_around(const std::vector<common::Triangle>& corners, std::size_t first,
                            std::size_t count) {
   lab::Box box;
-  for (std::size_t i = first; i < first + count; ++i) {
-    for (const Vec3& corner : corners[i]) {
-      for (Eigen::Index k = 0; k < 3; ++k) {
-        box.low[k] = std::min(box.low[k], corner[k]);
-        box.high[k] = std::max(box.high[k], corner[k]);
-      }
-    }
-  }
+  for (std::size_t i = first; i < first + count; ++i) extend(box, box_around(corners[i]));
   return box;
 }
 
@@ -27,51 +29,54 @@ class TreeMaker {
  public:
   TreeMaker(const common::TriangleMesh& mesh, std::size_t leaf_size) : leaf_size_(leaf_size) {
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+      const common::Triangle t = common::triangle(mesh, i);
       bvh_.triangles.push_back(i);
-      bvh_.corners.push_back(common::triangle(mesh, i));
+      boxes_.push_back(box_around(t));
+      places_.emplace_back(t[0] + t[1] + t[2]);
     }
     bvh_.nodes.emplace_back();
-    make(0, 0, bvh_.corners.size());
+    make(0, 0, bvh_.triangles.size());
+    bvh_.corners.reserve(bvh_.triangles.size());
+    for (const std::uint32_t i : bvh_.triangles) bvh_.corners.push_back(common::triangle(mesh, i));
   }
 
   [[nodiscard]] const lab::Bvh& bvh() const { return bvh_; }
 
  private:
   void make(std::size_t node, std::size_t first, std::size_t count) {
-    const lab::Box box = box_around(bvh_.corners, first, count);
+    lab::Box box;
+    for (std::size_t i = first; i < first + count; ++i) extend(box, boxes_[bvh_.triangles[i]]);
     bvh_.nodes[node].box = box;
     if (count <= leaf_size_) {
       bvh_.nodes[node].first = static_cast<std::uint32_t>(first);
       bvh_.nodes[node].count = static_cast<std::uint32_t>(count);
       return;
     }
+    const std::size_t third = std::max<std::size_t>(count / 3, 1);
     Eigen::Index axis = 0;
     (box.high - box.low).maxCoeff(&axis);
-    sort(first, count, axis);
+    part(first, third, count, axis);
     const std::size_t child = bvh_.nodes.size();
     bvh_.nodes[node].first = static_cast<std::uint32_t>(child);
     bvh_.nodes.resize(child + 2);
-    const std::size_t third = std::max<std::size_t>(count / 3, 1);
     make(child, first, third);
     make(child + 1, first + third, count - third);
   }
 
-  void sort(std::size_t first, std::size_t count, Eigen::Index axis) {
-    std::vector<std::pair<double, std::size_t>> order;
-    for (std::size_t i = first; i < first + count; ++i) {
-      const common::Triangle& t = bvh_.corners[i];
-      order.emplace_back(t[0][axis] + t[1][axis] + t[2][axis], i);
-    }
-    std::sort(order.begin(), order.end());
-    std::vector<std::pair<std::uint32_t, common::Triangle>> sorted;
-    for (const auto& [place, i] : order) sorted.emplace_back(bvh_.triangles[i], bvh_.corners[i]);
-    for (std::size_t i = 0; i < count; ++i) {
-      bvh_.triangles[first + i] = sorted[i].first;
-      bvh_.corners[first + i] = sorted[i].second;
-    }
+  /// Brings the least along the axis to the front, of equals those of the lower indices.
+  void part(std::size_t first, std::size_t front, std::size_t count, Eigen::Index axis) {
+    const auto at = [&](std::size_t i) {
+      return bvh_.triangles.begin() + static_cast<std::ptrdiff_t>(i);
+    };
+    const auto less = [&](std::uint32_t i, std::uint32_t j) {
+      return std::pair(places_[i][axis], i) < std::pair(places_[j][axis], j);
+    };
+    std::nth_element(at(first), at(first + front), at(first + count), less);
   }
 
   std::size_t leaf_size_;
+  std::vector<lab::Box> boxes_;
+  std::vector<Vec3> places_;  ///< three times the centroids
   lab::Bvh bvh_;
 };
 
@@ -173,15 +178,25 @@ inline common::TriangleMesh spread(Random& random, int triangles, int size) {
   return mesh;
 }
 
-inline Code code(const common::TriangleMesh& mesh) {
-  if (mesh.triangles.size() > 8) {
-    return {"a mesh of " + std::to_string(mesh.triangles.size()) + " triangles"};
+/// A mesh as an argument: its triangles where they are few, their number where not.
+struct Triangles {
+  std::size_t count = 0;
+  std::vector<common::Triangle> few;
+};
+inline std::string text(const Triangles& mesh) {
+  if (mesh.few.empty()) return "a mesh of " + std::to_string(mesh.count) + " triangles";
+  std::string list;
+  for (const common::Triangle& t : mesh.few) list += (list.empty() ? "" : ", ") + text(code(t));
+  return "{" + list + "}";
+}
+
+inline Triangles code(const common::TriangleMesh& mesh) {
+  Triangles triangles{mesh.triangles.size(), {}};
+  if (triangles.count > 8) return triangles;
+  for (std::size_t i = 0; i < triangles.count; ++i) {
+    triangles.few.push_back(common::triangle(mesh, i));
   }
-  std::string list = "{";
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    list += (i == 0 ? "" : ", ") + code(common::triangle(mesh, i)).code;
-  }
-  return {list + "}"};
+  return triangles;
 }
 
 }  // namespace tests

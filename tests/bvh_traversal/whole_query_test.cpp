@@ -26,7 +26,7 @@ std::size_t expect_brute_force(const Meshes& meshes, std::size_t leaf_size, int 
                           .given("mesh b", code(meshes.b));
   const Intersections found = trial.returned([&] { return find_intersections(a, b); });
   const Pairs wanted = tests::brute_force(meshes.a, meshes.b);
-  tests::expect_pairs(trial, found, wanted, a, b);
+  tests::expect_pairs(trial, found, wanted, a, b, [] { return tests::PairSuspects{}; });
   return wanted.pairs.size();
 }
 
@@ -102,7 +102,7 @@ TEST_CASE("Smooth meshes give the pairs of brute force", "[5.5]") {
 }
 
 TEST_CASE("Meshes that share a plane or corners give the pairs of brute force", "[5.5]") {
-  const TriangleMesh grid = common::flat_grid(8);
+  const TriangleMesh grid = common::flat_grid(6);
   const auto moved = [&](const Vec3& offset) { return common::scaled(grid, Vec3::Ones(), offset); };
   const auto standing = [&](const Vec3& offset) {
     TriangleMesh wall = grid;
@@ -114,7 +114,7 @@ TEST_CASE("Meshes that share a plane or corners give the pairs of brute force", 
       {"a mesh and itself", sphere, sphere},
       {"a grid and itself", grid, grid},
       {"two grids in one plane", grid, moved(Vec3(0.5, 0.25, 0.0))},
-      {"two grids in one plane that share an edge", grid, moved(Vec3(8.0, 0.0, 0.0))},
+      {"two grids in one plane that share an edge", grid, moved(Vec3(6.0, 0.0, 0.0))},
       {"a wall on a floor from edge to edge", grid, standing(Vec3(0.0, 4.0, 0.0))},
       {"a wall whose corners touch the floor", grid, standing(Vec3(0.5, 4.5, 0.0))},
       {"a wall through the floor", grid, standing(Vec3(0.5, 4.5, -1.0))}};
@@ -126,7 +126,8 @@ TEST_CASE("Meshes that share a plane or corners give the pairs of brute force", 
 
 TEST_CASE("Meshes in one tilted plane give the pairs of brute force", "[5.5]") {
   // Corners i u + j v + w of whole numbers are exact, and so they are in one plane; but n·x of a
-  // normal n has too many digits, so planes through the corners seem to differ.
+  // normal n has too many digits, so planes through the corners seem to differ: for most pairs of
+  // triangles, so that each plane need have some hundred of them only.
   tests::Random random(63);
   for (int index = 1; index <= 10; ++index) {
     const auto whole = [&] { return std::round(random.uniform(-1.0, 1.0) * 0x1p24); };
@@ -134,11 +135,11 @@ TEST_CASE("Meshes in one tilted plane give the pairs of brute force", "[5.5]") {
     const Vec3 v(whole(), whole(), whole());
     const Vec3 w(whole(), whole(), whole());
     const auto tilted = [&](double i, double j) {
-      TriangleMesh mesh = common::flat_grid(4);
+      TriangleMesh mesh = common::flat_grid(3);
       for (Vec3& x : mesh.vertices) x = (x.x() + i) * u + (x.y() + j) * v + w;
       return mesh;
     };
-    const Meshes meshes{"one tilted plane", tilted(0.0, 0.0), tilted(index % 4 + 0.25, 1.5)};
+    const Meshes meshes{"one tilted plane", tilted(0.0, 0.0), tilted(index % 3 + 0.25, 1.5)};
     CHECK(expect_brute_force(meshes, static_cast<std::size_t>(1 + index % 3), index, 10) > 0);
   }
 }

@@ -1,4 +1,7 @@
 #include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "bad_input.hpp"
 #include "catch.hpp"

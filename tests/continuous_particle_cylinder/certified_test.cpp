@@ -1,3 +1,5 @@
+#include <concepts>
+
 #include "bad_input.hpp"
 #include "catch.hpp"
 #include "judge_ties.hpp"

@@ -80,7 +80,8 @@ inline std::vector<Suspect<double>> suspects_of_edge(const Edge& e) {
 
 /// The gap, and the place where it is: any that is as near.
 inline void expect_edge(const Edge& e, int index = 1, int count = 1) {
-  const auto& [a, b] = e.p;
+  const Vec3& a = e.p[0];
+  const Vec3& b = e.p[1];
   const auto got = lab::discrete_particle_cylinder::edge_gap(a, b, e.particle_radius, e.cylinder);
   const Trial trial = shape_trial("3.5 edge_gap", e, index, count);
   const double wanted = e.gap_of(edge_distance(a, b));

@@ -1,6 +1,6 @@
-// Lab 5's reference beside a tree of eight-fold nodes and other libraries: building two trees, and
-// all pairs that meet, at rest and turned; the kinds by turns. What a library does for a new pose
-// before it can be asked is not timed.
+// Lab 5's for_speed.cpp beside a tree of eight-fold nodes and other libraries: building two trees,
+// and all pairs that meet, at rest and turned; the kinds by turns. What a library does for a new
+// pose before it can be asked is not timed.
 //
 //   bvh_benchmark --benchmark_repetitions=9 --benchmark_enable_random_interleaving
 //

@@ -225,13 +225,13 @@ Signs sides(const Triangle& plane, const Triangle& points) {
 /// plane. Returns 1 if that side is above the plane, or the others are below, and −1 if not.
 int put_alone_first(Triangle& t, const Signs& s) {
   for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3;
-    const std::size_t k = (i + 2) % 3;
-    const bool across = s[i] != 0 && s[j] * s[i] <= 0 && s[k] * s[i] <= 0;
-    const bool touches = s[i] == 0 && s[j] * s[k] > 0;
+    const int s_j = s[(i + 1) % 3];
+    const int s_k = s[(i + 2) % 3];
+    const bool across = s[i] != 0 && s_j * s[i] <= 0 && s_k * s[i] <= 0;
+    const bool touches = s[i] == 0 && s_j * s_k > 0;
     if (!across && !touches) continue;
-    t = {Vec3(t[i]), Vec3(t[j]), Vec3(t[k])};
-    return across ? s[i] : -s[j];
+    t = {t[i], t[(i + 1) % 3], t[(i + 2) % 3]};
+    return across ? s[i] : -s_j;
   }
   throw std::logic_error("all corners are on one side of the plane");
 }

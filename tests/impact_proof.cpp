@@ -3,7 +3,7 @@
 // axis than ρ/2. Fails where the certified time or the batch ever errs, and where the cross form
 // misses an impact or, in a well-conditioned class, is more than 4 ulp off a deep path's.
 //
-//   impact_proof <queries a random class> <queries an adversarial class>
+//   impact_proof_<answer> <queries a random class> <queries an adversarial class>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -117,7 +117,8 @@ bool prove(const tests::ImpactClass& kind, long queries) {
 
 int main(int argc, char** argv) {
   if (argc != 3) {
-    std::fputs("usage: impact_proof <queries a random class> <an adversarial class>\n", stderr);
+    std::fputs("usage: impact_proof_<answer> <queries a random class> <an adversarial class>\n",
+               stderr);
     return 2;
   }
   std::printf("%-40s ", "");

@@ -2,7 +2,7 @@
 // impacts found where there is none, the worst time in parts of dt, nanoseconds a query. Fails
 // where the answer ever errs.
 //
-//   moving_edge_proof <edges a set>
+//   moving_edge_proof_<answer> <edges a set>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -143,7 +143,7 @@ bool prove(const tests::EdgeSet& set, long count) {
 
 int main(int argc, char** argv) {
   if (argc != 2) {
-    std::fputs("usage: moving_edge_proof <edges a set>\n", stderr);
+    std::fputs("usage: moving_edge_proof_<answer> <edges a set>\n", stderr);
     return 2;
   }
   bool good = true;

@@ -118,28 +118,28 @@ add_mutant(${lab} cross_form_root_against_dt 4.2
 
 # A sum of two doubles is believed to be one.
 add_mutant(${lab} certified_rounded_radius 4.3
-  "cylinder.radius, particle.radius};" "cylinder.radius + particle.radius, 0.0};" "R + r is rounded")
+  "cylinder.radius, r};" "cylinder.radius + r, 0.0};" "R + r is rounded")
 
 # More digits are believed to be enough, without a bound of their error.
 add_mutant(${lab} certified_without_bound 4.3
-  "return a.value.high < -2.0 * a.error;" "return a.value.high < 0.0;" "")
+  "std::abs(X.high) > 1e-30 * X_terms.value + 1e-280" "std::abs(X.high) > 1e-280" "")
 
 # The rounded root decides whether it is past dt.
 add_mutant(${lab} certified_rounded_arrival 4.3
-  "t < (1.0 - 2.0 * eps) * dt" "t <= dt" "")
+  "if (at_end > 0 && sign(x.slope, terms.slope, &Exact::slope) < 0) return infinity;"
+  "if (at_end > 0 && (x.c / (sqrt(x.discriminant) - x.b)).high > dt) return infinity;" "")
 
 # Zero is taken to be outside.
 add_mutant(${lab} certified_start_touching_missed 4.3
-  "if (c.sign() <= 0) return 0.0;" "if (c.sign() < 0) return 0.0;" "touching at the start")
+  "sign(x.c, terms.c, &Exact::c) <= 0" "sign(x.c, terms.c, &Exact::c) < 0" "touching at the start")
 
 # A double root is taken for none.
 add_mutant(${lab} certified_tangent_missed 4.3
-  "discriminant.sign() < 0" "discriminant.sign() <= 0" "touching in passing")
+  "&Exact::discriminant) < 0" "&Exact::discriminant) <= 0" "touching in passing")
 
 # The step is taken to end just before dt.
 add_mutant(${lab} certified_without_arrival_at_dt 4.3
-  "(c + end * (b + half_slope)).sign() <= 0" "(c + end * (b + half_slope)).sign() < 0"
-  "arrival at dt")
+  "if (at_end > 0 &&" "if (at_end >= 0 &&" "arrival at dt")
 
 # The gap is a length, the step a time.
 add_mutant(${lab} advancement_by_lengths 4.3
@@ -166,43 +166,42 @@ add_mutant(${lab} advancement_counts_steps 4.3
 
 # The normal is taken to point at what it is the normal of.
 add_mutant(${lab} contact_normal_reversed 4.4
-  "contact.normal = Vec3(0.0," "contact.normal = -Vec3(0.0," "normal is reversed")
+  "{0.0, y / std::hypot(y, z), z / std::hypot(y, z)}"
+  "{0.0, -y / std::hypot(y, z), -z / std::hypot(y, z)}" "normal is reversed")
 
 # The contact is built where the particle is now, not where it will be.
 add_mutant(${lab} contact_at_start 4.4
-  "particle.position + time * particle.velocity" "particle.position + 0.0 * particle.velocity"
-  "not moved to")
+  "const Vec3 p = x + time * v;" "const Vec3 p = x + 0.0 * v;" "not moved to")
 
 # The particle is taken for its centre.
 add_mutant(${lab} contact_at_center 4.4
-  "x - particle.radius * contact.normal" "x - 0.0 * contact.normal" "particle's centre")
+  "{p.x(), p.y() - r * n.y(), p.z() - r * n.z()}" "p" "particle's centre")
 
 # Where the particle's centre is at the impact is taken for the surface.
 add_mutant(${lab} contact_beyond_surface 4.4
-  "cylinder.radius * contact.normal" "(cylinder.radius + particle.radius) * contact.normal"
+  "cylinder.radius * n.y(), cylinder.radius * n.z()"
+  "(cylinder.radius + r) * n.y(), (cylinder.radius + r) * n.z()"
   "ends at R")
 
 # The normal is taken from a point, where it is from an axis.
 add_mutant(${lab} contact_normal_keeps_x 4.4
-  "Vec3(0.0, x.y() / size, x.z() / size)" "Vec3(x.x() / size, x.y() / size, x.z() / size)"
+  "{0.0, y / std::hypot(y, z), z / std::hypot(y, z)}" "Vec3(p.x() / size, y, z).normalized()"
   "x is kept in the normal")
 
 # The gap is taken to the particle's centre.
 add_mutant(${lab} contact_gap_without_particle_radius 4.4
-  "std::hypot(x.y(), x.z()) - (cylinder.radius + particle.radius)"
-  "std::hypot(x.y(), x.z()) - cylinder.radius" "particle's radius is forgotten")
+  "std::hypot(p.y(), p.z()) - (cylinder.radius + r)" "std::hypot(p.y(), p.z()) - cylinder.radius"
+  "particle's radius is forgotten")
 
 # The axis is believed never to be met.
-add_mutant(${lab} contact_nan_on_axis 4.4 "if (size > 0.0) contact.normal" "contact.normal" "")
+add_mutant(${lab} contact_nan_on_axis 4.4 "if (size > 0.0) n" "n" "")
 
 # ---- 4.5 ----
 
 # The loop ends one too early.
 add_mutant(${lab} batch_last_missed 4.5
-  "for (std::size_t i = 0; i < p.size; ++i) {
-    times[i]"
-  "for (std::size_t i = 0; i + 1 < p.size; ++i) {
-    times[i]" "last particle")
+  "    times[i] = certified_time(" "    if (i + 1 < y.size()) times[i] = certified_time("
+  "last particle")
 
 # No impact is told by a number that a time cannot be.
 add_mutant(${lab} batch_minus_one_for_none 4.5
@@ -213,53 +212,55 @@ add_mutant(${lab} batch_minus_one_for_none 4.5
 # No impact is told by no number.
 add_mutant(${lab} batch_nan_for_none 4.5
   "  return times;"
-  "  for (double& time : times) time = time < infinity ? time : not_sure;
+  "  for (double& time : times) time = time < infinity ? time : NAN;
   return times;" "")
 
-# Only the first of the blocks is looked at.
-add_mutant(${lab} batch_checks_first_block 4.5
-  "    require_finite(particles_here);" "    if (i == 0) require_finite(particles_here);"
-  "arguments are not checked")
+# Only the first of the particles is looked at.
+add_mutant(${lab} batch_checks_first_particle 4.5
+  "    for (const double entry : {y[i], z[i], v_y[i], v_z[i]}) common"
+  "    for (const double entry : {y[0], z[0], v_y[0], v_z[0]}) common" "arguments are not checked")
 
-# Arrays are believed to be as long as the first.
+# Arrays are believed to be as long as the first: what one lacks at its end is zero.
 add_mutant(${lab} batch_lengths_not_compared 4.5
-  "z.size() != y.size() || v_y.size() != y.size() || v_z.size() != y.size()"
-  "z.size() != y.size()" "lengths of the four arrays")
+  "throw std::invalid_argument(\"particles: the arrays differ in length\");"
+  "MovingParticles filled = particles;
+    for (auto* one : {&filled.z, &filled.velocity_y, &filled.velocity_z}) one->resize(y.size());
+    return times_of_impact(filled, cylinder, dt);" "lengths of the four arrays")
 
 # ---- 4.6 ----
 
 # A cloth's particles are believed to stand for its edges.
 add_mutant(${lab} edge_by_its_ends 4.6
-  "return inside ? inside : end;" "return inside && end ? end : end;" "ends alone")
+  "return s ? *s * T : if_finite(end);" "return s ? if_finite(end) : if_finite(end);" "ends alone")
 
 # An edge is believed to be as long as its line.
 add_mutant(${lab} edge_as_its_line 4.6
-  "return p_d < 0 && q_d > 0 ? 1 : p_d * q_d > 0 ? -1 : 0;" "return p_d * q_d > 2 ? -1 : 1;"
+  "ExactPolynomial{} - dot(p, d) * dot(q, d)" "ExactPolynomial{1.0}"
   "line is taken for the edge")
 
 # The edge is taken for a thread without thickness.
 add_mutant(${lab} edge_without_radius 4.6
-  "Number(query.cylinder.radius) + Number(edge.radius);" "Number(query.cylinder.radius);"
+  "ExactNumber(cylinder.radius) + ExactNumber(edge.radius)" "ExactNumber(cylinder.radius)"
   "edge's radius is forgotten")
 
 # The edge keeps its length and its direction, as if it were a rod that is carried along.
 add_mutant(${lab} edge_with_one_velocity 4.6
-  "difference(edge.velocity_b, edge.velocity_a)" "difference(edge.velocity_a, edge.velocity_a)"
-  "velocity of a")
+  "exact_path(edge.b, edge.velocity_b, T)" "exact_path(edge.b, edge.velocity_a, T)" "velocity of a")
 
 # The search goes to the right first.
 add_mutant(${lab} edge_last_touch 4.6
-  "if (const auto time = first_touch(left)) return time;"
-  "if (const auto time = first_touch(right)) return time;
-    return first_touch(left);" "later root")
+  "  if (const auto s = first_touch(inside, {piece.from, middle, f_left, foot_left})) return s;
+  return first_touch(inside, {middle, piece.to, f_right, foot_right});"
+  "  if (const auto s = first_touch(inside, {middle, piece.to, f_right, foot_right})) return s;
+  return first_touch(inside, {piece.from, middle, f_left, foot_left});" "later root")
 
 # The quartic is believed to tell of every touch, but it has no root where one is there already.
 add_mutant(${lab} edge_start_missed 4.6
-  "if (!off && touches_at_start_exactly(query)) return 0.0;" "" "inside touches is missed")
+  "if (inside.f[0].sign() <= 0 && inside.foot[0].sign() > 0) return 0.0;" "" "inside touches is missed")
 
 # What rounding cannot decide is taken for a miss.
 add_mutant(${lab} edge_touch_missed 4.6
-  "if (touches.count(from, to) == 0)" "if (touches.count(from, to) <= 1)"
+  "touches.count(piece.from, piece.to) == 0" "touches.count(piece.from, piece.to) <= 1"
   "touch is not counted")
 
 # The bracket is as wide as can be told by eye.

@@ -30,6 +30,13 @@ ExactNumber::ExactNumber(double value) {
   *this = ExactNumber({(mantissa - high * base) * factor, high * factor, 0}, lowest);
 }
 
+ExactNumber::ExactNumber() = default;
+ExactNumber::~ExactNumber() = default;
+ExactNumber::ExactNumber(const ExactNumber& other) = default;
+ExactNumber::ExactNumber(ExactNumber&& other) noexcept = default;
+ExactNumber& ExactNumber::operator=(const ExactNumber& other) = default;
+ExactNumber& ExactNumber::operator=(ExactNumber&& other) noexcept = default;
+
 ExactNumber::ExactNumber(Digits digits, int lowest) : digits_(std::move(digits)), lowest_(lowest) {
   std::int64_t carry = 0;
   for (std::int64_t& digit : digits_) {

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <string>
 
 #include "common/types.hpp"
 
@@ -10,39 +9,29 @@
 /// argument and what is wrong with it, and lets NaN pass nowhere.
 namespace common {
 
+/// Throws. Apart from the checks, which cost next to nothing where all is well.
+[[noreturn]] void refuse(const char* name, const char* wanted, double got);
+[[noreturn]] void refuse_entry(const char* name);
+
 inline void require_finite(double value, const char* name) {
-  if (!std::isfinite(value)) {
-    throw std::invalid_argument(std::string(name) + ": want a finite number, got " +
-                                std::to_string(value));
-  }
+  if (!std::isfinite(value)) refuse(name, "a finite number", value);
 }
 
 inline void require_finite(const Vec3& value, const char* name) {
-  if (!value.allFinite()) {
-    throw std::invalid_argument(std::string(name) + ": an entry is not finite");
+  if (!(std::isfinite(value.x()) && std::isfinite(value.y()) && std::isfinite(value.z()))) {
+    refuse_entry(name);
   }
 }
 
 inline void require_positive(double value, const char* name) {
-  if (!(value > 0.0 && std::isfinite(value))) {
-    throw std::invalid_argument(std::string(name) + ": want a finite number above zero, got " +
-                                std::to_string(value));
-  }
+  if (!(value > 0.0 && std::isfinite(value))) refuse(name, "a finite number above zero", value);
 }
 
 inline void require_not_negative(double value, const char* name) {
-  if (!(value >= 0.0 && std::isfinite(value))) {
-    throw std::invalid_argument(std::string(name) + ": want a finite number from zero up, got " +
-                                std::to_string(value));
-  }
+  if (!(value >= 0.0 && std::isfinite(value))) refuse(name, "a finite number from zero up", value);
 }
 
 /// Of length one to 1e-9.
-inline void require_unit(const Vec3& value, const char* name) {
-  if (!(std::abs(value.norm() - 1.0) <= 1e-9)) {
-    throw std::invalid_argument(std::string(name) + ": want length one, got " +
-                                std::to_string(value.norm()));
-  }
-}
+void require_unit(const Vec3& value, const char* name);
 
 }  // namespace common

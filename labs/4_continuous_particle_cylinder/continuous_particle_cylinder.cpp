@@ -7,6 +7,7 @@
 //   common/exact_number.hpp   numbers that are never rounded, for the few decisions that need them
 //   common/bernstein.hpp      polynomials over an interval, halved without loss
 //   common/exact_roots.hpp    how many roots a polynomial has, counted without rounding
+//   common/exact_path.hpp     straight motions and their products as such polynomials
 #include "continuous_particle_cylinder.hpp"
 
 #include "common/not_implemented.hpp"

@@ -134,8 +134,7 @@ bool is_moderate(double size) { return size == 0.0 || (size > 1e-60 && size < 1e
 
 /// c/(−b + √D): only the quotient need be within the range of a double, so both are taken near 1.
 double exact_root(const Quadratic<ExactNumber>& q) {
-  const int scale_c = q.c.exponent();
-  const int scale_b = q.b.exponent();  // √D is no greater than −b
+  const int scale_c = q.c.exponent(), scale_b = q.b.exponent();  // √D is no greater than −b
   const DoubleDouble divisor = sqrt(q.discriminant.rounded(-2 * scale_b)) - q.b.rounded(-scale_b);
   return std::ldexp((q.c.rounded(-scale_c) / divisor).high, scale_c - scale_b);
 }
@@ -200,14 +199,16 @@ Advancement conservative_advancement(const MovingParticle& particle, const Cylin
 ParticleContact contact_at(const MovingParticle& particle, const Cylinder& cylinder, double time) {
   require_valid(particle, cylinder, 0.0);
   common::require_finite(time, "time");
-  const Vec3 p = particle.position + time * particle.velocity;
+  const auto& [x, v, r] = particle;
+  const Vec3 p = x + time * v;
   const double size = std::max(std::abs(p.y()), std::abs(p.z()));
-  ParticleContact contact;  // eq. (9)
+  const double y = p.y() / size, z = p.z() / size;  // near 1: the least doubles have few digits
+  ParticleContact contact;                          // eq. (9)
   Vec3& n = contact.normal;
-  if (size > 0.0) n = Vec3(0.0, p.y() / size, p.z() / size).normalized();
+  if (size > 0.0) n = {0.0, y / std::hypot(y, z), z / std::hypot(y, z)};
   contact.point_on_cylinder = {p.x(), cylinder.radius * n.y(), cylinder.radius * n.z()};
-  contact.point_on_particle = p - particle.radius * n;
-  contact.gap = std::hypot(p.y(), p.z()) - (cylinder.radius + particle.radius);
+  contact.point_on_particle = {p.x(), p.y() - r * n.y(), p.z() - r * n.z()};
+  contact.gap = std::hypot(p.y(), p.z()) - (cylinder.radius + r);
   contact.time = time;
   return contact;
 }
@@ -288,7 +289,6 @@ std::optional<double> time_of_impact_of_edge(const MovingEdge& edge, const Cylin
   require_valid(end_b, cylinder, dt);
   const double end = std::min(certified_time(motion(end_a, cylinder), dt),
                               certified_time(motion(end_b, cylinder), dt));
-
   // Till T no end touches; what is nearer to the ends' impact than t* must be does not count.
   const double T = std::min(end * (1.0 - time_accuracy), dt);
   const Inside inside = inside_of(edge, cylinder, T);

@@ -166,32 +166,32 @@ add_mutant(${lab} advancement_counts_steps 4.3
 
 # The normal is taken to point at what it is the normal of.
 add_mutant(${lab} contact_normal_reversed 4.4
-  "n = Vec3(0.0," "n = -Vec3(0.0," "normal is reversed")
+  "{0.0, y / std::hypot(y, z), z / std::hypot(y, z)}"
+  "{0.0, -y / std::hypot(y, z), -z / std::hypot(y, z)}" "normal is reversed")
 
 # The contact is built where the particle is now, not where it will be.
 add_mutant(${lab} contact_at_start 4.4
-  "particle.position + time * particle.velocity" "particle.position + 0.0 * particle.velocity"
-  "not moved to")
+  "const Vec3 p = x + time * v;" "const Vec3 p = x + 0.0 * v;" "not moved to")
 
 # The particle is taken for its centre.
 add_mutant(${lab} contact_at_center 4.4
-  "p - particle.radius * n" "p - 0.0 * n" "particle's centre")
+  "{p.x(), p.y() - r * n.y(), p.z() - r * n.z()}" "p" "particle's centre")
 
 # Where the particle's centre is at the impact is taken for the surface.
 add_mutant(${lab} contact_beyond_surface 4.4
   "cylinder.radius * n.y(), cylinder.radius * n.z()"
-  "(cylinder.radius + particle.radius) * n.y(), (cylinder.radius + particle.radius) * n.z()"
+  "(cylinder.radius + r) * n.y(), (cylinder.radius + r) * n.z()"
   "ends at R")
 
 # The normal is taken from a point, where it is from an axis.
 add_mutant(${lab} contact_normal_keeps_x 4.4
-  "Vec3(0.0, p.y() / size, p.z() / size)" "Vec3(p.x() / size, p.y() / size, p.z() / size)"
+  "{0.0, y / std::hypot(y, z), z / std::hypot(y, z)}" "Vec3(p.x() / size, y, z).normalized()"
   "x is kept in the normal")
 
 # The gap is taken to the particle's centre.
 add_mutant(${lab} contact_gap_without_particle_radius 4.4
-  "std::hypot(p.y(), p.z()) - (cylinder.radius + particle.radius)"
-  "std::hypot(p.y(), p.z()) - cylinder.radius" "particle's radius is forgotten")
+  "std::hypot(p.y(), p.z()) - (cylinder.radius + r)" "std::hypot(p.y(), p.z()) - cylinder.radius"
+  "particle's radius is forgotten")
 
 # The axis is believed never to be met.
 add_mutant(${lab} contact_nan_on_axis 4.4 "if (size > 0.0) n" "n" "")

@@ -9,7 +9,7 @@ import subprocess
 from pathlib import Path
 from typing import NamedTuple, Sequence
 
-from .console import Failure, Progress, shortened
+from .console import Failure, Progress, require_writable, shortened
 
 DIAGNOSTICS_LIMIT = 4096
 
@@ -38,6 +38,7 @@ def configure(root: Path, preset: str, again: bool = False) -> None:
         if not shutil.which(tool):
             raise Failure(f"{tool} is missing: install {package}, or let ./tumble demo do it "
                           "(./tumble doctor says what else is needed)")
+    require_writable(folder)
     # A fresh start would also make the precompiled headers anew, and all that is built with them.
     start = [] if is_configured else ["--fresh"]
     with Progress() as progress:

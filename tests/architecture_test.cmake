@@ -43,7 +43,7 @@ forbid(labs "labs/" "solutions/" "tests/" "GL/" "EGL/" "stb" "catch" "boost/" "b
 forbid(tests "labs/" "solutions/")
 
 # Other engines stay behind the labs' peers.hpp.
-set(engines "bt[A-Z]" "bullet/" "Bullet" "LinearMath/" "ode/" "fcl/" "embree" "CGAL/")
+set(engines "bt[A-Z]" "bullet/" "Bullet" "LinearMath/" "ode/" "fcl/" "embree" "rtcore" "CGAL/")
 foreach(folder IN ITEMS common render solutions tests)
   forbid(${folder} ${engines})
 endforeach()

@@ -1,4 +1,4 @@
-#include <embree3/rtcore.h>
+#include <rtcore.h>  // of Embree 3 or 4
 
 #include <cmath>
 #include <stdexcept>

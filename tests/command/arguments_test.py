@@ -4,7 +4,7 @@ import os
 import unittest
 from pathlib import Path
 
-from fake_kit import ROOT, KitTestCase
+from fake_kit import LAB, ROOT, KitTestCase
 
 HERE = Path(__file__).resolve().parent
 COMMANDS = ("demo", "verify", "test", "watch", "hint", "frames", "chart", "doctor", "handout",
@@ -55,6 +55,16 @@ class Arguments(KitTestCase):
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             self.assertIn(f"usage: tumble {command}", done.stdout)
             self.assertIn(f"    {command} ", overview.stdout)
+
+    def test_the_help_of_a_handout_offers_only_what_it_has(self) -> None:
+        (self.kit.root / "solutions" / LAB / "spin.cpp").unlink()
+        told = [self.kit.tumble("--help").stdout, self.kit.tumble("frames", "--help").stdout,
+                self.kit.tumble("chart", "--help").stdout]
+        for command in ("demo", "test", "hint"):
+            self.assertIn(f"    {command} ", told[0])
+        for word in ("    verify ", "    grade ", "    handout ", "--solution"):
+            self.assertNotIn(word, "".join(told))
+        self.assertIn("this is a hand-out", self.kit.tumble("verify").stderr)
 
 
 class Launcher(KitTestCase):

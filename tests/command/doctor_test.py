@@ -5,6 +5,7 @@ import signal
 import subprocess
 import time
 import unittest
+from unittest import mock
 
 from fake_kit import LAB, KitTestCase
 from tumble import doctor
@@ -27,6 +28,61 @@ class Doctor(KitTestCase):
     def test_what_is_missing_for_pictures_alone_does_not_stop_the_labs(self) -> None:
         missing = [Finding("EGL", "", False, "pictures", "libegl-dev", needed=False)]
         self.assertIn("Labs can be built", "\n".join(doctor.advice(missing)))
+
+    def test_what_is_too_old_gets_advice_that_helps(self) -> None:
+        old = Finding("cmake", "3.22.1", False, "builds", "cmake", newer="get it elsewhere")
+        told = "\n".join(doctor.advice([old]))
+        self.assertIn("cmake 3.22.1 is too old: get it elsewhere", told)
+        self.assertNotIn("apt-get install", told)
+
+    def test_an_old_cmake_says_where_to_get_a_newer_one(self) -> None:
+        self.kit.add_tool("cmake", 'echo "cmake version 3.22.1"\n')
+        told = self.kit.tumble("doctor").stdout
+        self.assertRegex(told, r"cmake 3\.22\.1 is too old: [^\n]*pip install")
+        self.assertNotRegex(told, r"apt-get install[^\n]* cmake")
+
+    def test_what_only_verify_takes_is_told_apart(self) -> None:
+        tools = [Finding("tinyobjloader", "", False, "meshes", "libtinyobjloader-dev", needed=False,
+                         command="verify")]
+        told = "\n".join(doctor.advice(tools))
+        self.assertIn("To get what ./tumble verify takes: ./tumble verify", told)
+        self.assertNotIn("./tumble demo", told)
+
+    def test_nothing_is_built_for_a_test_frame(self) -> None:
+        gl = [Finding(name, "yes", True, "pictures", "x") for name in ("OpenGL", "OSMesa")]
+        with mock.patch("tumble.build.require") as require:
+            told = "\n".join(doctor.test_frame(self.kit.root, gl))
+            self.assertIn("./tumble frames 1 --solution builds what draws them", told)
+            self.assertIn("no off-screen GL", doctor.test_frame(self.kit.root, gl[:1])[0])
+            require.assert_not_called()
+
+    def test_where_a_renderer_is_built_it_draws_a_test_frame(self) -> None:
+        gl = [Finding(name, "yes", True, "pictures", "x") for name in ("OpenGL", "OSMesa")]
+        render = self.kit.root / "build" / "release" / "render"
+        self.kit.write("build/release/render/librender_scene.a", "")
+        self.kit.add_program(render / "render_doctor", 'echo "OSMesa, a test"\n')
+        with mock.patch("tumble.build.require"):
+            told = doctor.test_frame(self.kit.root, gl)
+        self.assertEqual(told[0], "Pictures: OSMesa, a test")
+
+
+class ReadOnly(KitTestCase):
+    """A file in the place of build/ is as good as a folder that cannot be written: root can."""
+
+    def setUp(self) -> None:
+        super().setUp()
+        self.kit.write("build", "")
+
+    def test_test_says_so_in_one_line_and_does_not_ask_cmake(self) -> None:
+        done = self.kit.tumble("test", "1")
+        self.assert_one_line(done, 1)
+        self.assertIn(f"cannot write to {self.kit.root / 'build'}", done.stderr)
+        self.assertEqual(self.kit.calls("cmake"), [])
+
+    def test_doctor_says_so(self) -> None:
+        done = self.kit.tumble("doctor")
+        self.assertEqual((done.returncode, done.stderr), (1, ""))
+        self.assertIn("Nothing can be built here: cannot write to", done.stdout)
 
 
 class Watch(KitTestCase):

@@ -57,6 +57,13 @@ class Hints(KitTestCase):
             self.kit.write("build/hints.json", memory)
             self.assertIn("1 of 3", self.told())
 
+    def test_where_nothing_can_be_noted_all_hints_are_shown(self) -> None:
+        self.kit.write("build", "a file, which stands for a folder that cannot be written")
+        told = self.told()
+        for word in ("Idea.", "Formula.", "Line.", "build/ cannot be written"):
+            self.assertIn(word, told)
+        self.assert_one_line(self.kit.tumble("hint", "1.1", "--reset"), 1)
+
     def test_a_step_without_hints_is_bad_usage(self) -> None:
         self.assert_one_line(self.kit.tumble("hint", "1.6"), 2)
 

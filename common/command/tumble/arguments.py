@@ -11,11 +11,14 @@ from pathlib import Path
 from typing import Callable, NoReturn, Optional, Sequence
 
 from .console import BAD_USAGE, FAILED, Failure
-from .labs import printable
+from .labs import is_handout, printable
 
 ROOT = Path(__file__).resolve().parents[3]
 
 _INTERRUPTED = 130
+_OF_THE_KIT = ("verify", "handout", "grade")
+"""A hand-out cannot do these, so its help leaves them out."""
+
 _SIZE = re.compile(r"([0-9]{1,5})x([0-9]{1,5})")
 
 
@@ -71,7 +74,9 @@ def make_parser() -> argparse.ArgumentParser:
 
     def command(name: str, module: str, text: str) -> argparse.ArgumentParser:
         description = text[0].upper() + text[1:] + "."
-        new = commands.add_parser(name, help=text, description=description, allow_abbrev=False)
+        hidden = name in _OF_THE_KIT and is_handout(ROOT)
+        new = commands.add_parser(name, description=description, allow_abbrev=False,
+                                  **({} if hidden else {"help": text}))
         new.set_defaults(module=module, command=name)
         return new
 
@@ -127,7 +132,8 @@ def _add_hint(parser: argparse.ArgumentParser) -> None:
 
 
 def _add_pictures(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--solution", action="store_true", help="of the reference, not yours")
+    parser.add_argument("--solution", action="store_true", help=(
+        argparse.SUPPRESS if is_handout(ROOT) else "of the reference, not yours"))
     parser.add_argument("--out", metavar="DIR", help="where pictures go (default: Tumble's out/)")
 
 

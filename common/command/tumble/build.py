@@ -13,7 +13,7 @@ import threading
 from pathlib import Path
 from typing import IO, Iterator, NamedTuple, Sequence
 
-from .console import Failure, Progress, shortened
+from .console import Failure, Progress, require_writable, shortened
 
 DIAGNOSTICS_LIMIT = 4096
 
@@ -85,6 +85,7 @@ def configure(root: Path, preset: str, again: bool = False) -> None:
         if not shutil.which(tool):
             raise Failure(f"{tool} is missing: install {package}, or let ./tumble demo do it "
                           "(./tumble doctor says what else is needed)")
+    require_writable(folder)
     # A fresh start would also make the precompiled headers anew, and all that is built with them.
     start = [] if is_configured else ["--fresh"]
     with Progress() as progress:

@@ -9,6 +9,7 @@ import sys
 import textwrap
 import threading
 import time
+from pathlib import Path
 from typing import Iterator
 
 FAILED = 1
@@ -81,6 +82,17 @@ def shortened(text: str, limit: int) -> str:
     kept = text[:limit].rsplit("\n", 1)[0]
     left_out = text[len(kept):].strip().count("\n") + 1
     return f"{kept}\n... {left_out} more lines"
+
+
+def require_writable(folder: Path) -> None:
+    """Before the long work: can it be written to? Root may write anywhere, so it is tried."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        trial = folder / ".tumble-trial"
+        trial.touch()
+        trial.unlink()
+    except OSError as error:
+        raise Failure(f"cannot write to {folder}: {error.strerror}") from error
 
 
 def say(*lines: str) -> None:

@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import Sequence
 
 from . import build, packages, page
-from .console import FAILED, coloured, say
+from .console import FAILED, coloured, require_writable, say
 from .gallery import REFERENCE
 from .labs import find_labs, is_handout
-from .pictures import Picture, prepare
+from .pictures import Picture
 
 SHORT = "--short"
 
@@ -21,7 +21,7 @@ def run(root: Path, options: argparse.Namespace) -> int:
     if is_handout(root):
         return _prepare_handout(root, options)
     demo = Demo(root)
-    prepare(demo.out)
+    require_writable(demo.out)
     if not options.no_install:
         packages.install_missing(root, proof=False)
     labs = find_labs(root)

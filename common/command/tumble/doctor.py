@@ -8,10 +8,12 @@ from pathlib import Path
 from typing import Sequence
 
 from . import build
-from .console import FAILED, Failure, Progress, coloured, mark, say
+from .console import FAILED, Failure, Progress, coloured, mark, require_writable, say
+from .labs import is_handout
 from .machine import Finding, examine
 
 FRAME_PROGRAM = "render_doctor"
+RENDERER = "render/librender_scene.a"
 
 
 def run(root: Path, _options: argparse.Namespace) -> int:
@@ -21,8 +23,14 @@ def run(root: Path, _options: argparse.Namespace) -> int:
     say(*report(findings), "")
     missing = [finding for finding in findings if not finding.usable]
     ready = not any(finding.needed for finding in missing)
+    try:
+        require_writable(root / "build")
+    except Failure as failure:
+        say(*advice(missing), f"Nothing can be built here: {failure.args[0]}. "
+            "Copy the kit to a folder of your own.")
+        return FAILED
     if ready:
-        say(*_test_frame(root), "")
+        say(*test_frame(root, findings), "")
     say(*advice(missing))
     return 0 if ready else FAILED
 
@@ -46,11 +54,17 @@ def _state(finding: Finding) -> str:
     return f"{finding.version}, too old" if finding.version else "missing"
 
 
-def _test_frame(root: Path) -> list[str]:
-    """One frame shows more than any version number. Without one, all but the pictures works."""
+def test_frame(root: Path, findings: Sequence[Finding]) -> list[str]:
+    """One frame shows more than any version number, where what draws it is built: to build that
+    takes too long for a question. Without a frame, all but the pictures works."""
+    usable = {finding.name for finding in findings if finding.usable}
+    if "OpenGL" not in usable or not usable & {"OSMesa", "EGL"}:
+        return ["Pictures: none, there is no off-screen GL. Labs and tests work."]
+    if not (build.build_folder(root, "release") / RENDERER).exists():
+        solution = "" if is_handout(root) else " --solution"
+        return [f"Pictures: not tried yet. ./tumble frames 1{solution} builds what draws them;",
+                "after that ./tumble doctor draws a test frame."]
     try:
-        if FRAME_PROGRAM not in build.targets(root, "release"):
-            return ["Pictures: none, this build found no off-screen GL. Labs and tests work."]
         build.require(root, "release", [FRAME_PROGRAM])
     except Failure as failure:
         return [str(failure)]
@@ -67,8 +81,15 @@ def _test_frame(root: Path) -> list[str]:
 def advice(missing: Sequence[Finding]) -> list[str]:
     if not missing:
         return [coloured("Nothing is missing.", "green") + " Begin with ./tumble test 1"]
-    packages = " ".join(finding.package for finding in missing)
     needed = any(finding.needed for finding in missing)
-    return ["Labs cannot be built yet." if needed else "Labs can be built: ./tumble test 1",
-            "To get what is missing: ./tumble demo, or by hand",
-            f"  sudo apt-get install {packages}"]
+    lines = ["Labs cannot be built yet." if needed else "Labs can be built: ./tumble test 1"]
+    for finding in missing:
+        if finding.version:
+            lines.append(f"{finding.name} {finding.version} is too old: {finding.newer}")
+    absent = [finding for finding in missing if not finding.version]
+    for command, what in (("demo", "what is missing"), ("verify", "what ./tumble verify takes")):
+        packages = " ".join(finding.package for finding in absent if finding.command == command)
+        if packages:
+            lines += [f"To get {what}: ./tumble {command}, or by hand",
+                      f"  sudo apt-get install --no-install-recommends {packages}"]
+    return lines

@@ -9,7 +9,7 @@ import re
 from pathlib import Path
 from typing import Mapping, NamedTuple, Sequence
 
-from .console import BAD_USAGE, Failure, coloured, say
+from .console import BAD_USAGE, Failure, coloured, require_writable, say
 from .labs import Lab, find_lab, plain, printable
 
 KINDS = ("Idea", "Formula", "Line")
@@ -42,12 +42,18 @@ def run(root: Path, options: argparse.Namespace) -> int:
     section = sections[options.step]
     shown = _shown_before(memory, options.step)
     if options.reset:
+        require_writable(memory.parent)
         _remember(memory, options.step, 0)
         say(f"The hints of step {options.step} are hidden again.")
         return 0
     if not options.again:
         shown = min(shown + 1, len(section.hints))
-        _remember(memory, options.step, shown)
+        try:
+            _remember(memory, options.step, shown)
+        except OSError:
+            say(*_texts(options.step, section, len(section.hints)),
+                "All hints, since no note of what was shown can be kept: build/ cannot be written.")
+            return 0
     say(*_told(options.step, section, shown))
     return 0
 
@@ -85,12 +91,17 @@ def _items(text: str) -> list[Hint]:
             for head, end in zip(heads, ends)]
 
 
-def _told(step: str, section: Section, shown: int) -> list[str]:
+def _texts(step: str, section: Section, shown: int) -> list[str]:
     lines = [coloured(f"Step {step}: {section.title}", "bold"), ""]
     for hint in section.hints[:shown]:
         first, *rest = hint.text.split("\n")
         label = coloured(f"{hint.kind}.", "bold")
         lines += [f"{label} {first}", *(line.rstrip() for line in rest), ""]
+    return lines
+
+
+def _told(step: str, section: Section, shown: int) -> list[str]:
+    lines = _texts(step, section, shown)
     count = f"{shown} of {len(section.hints)}"
     if shown < len(section.hints):
         return lines + [f"{count} hints shown; the next one: ./tumble hint {step}"]
@@ -100,7 +111,7 @@ def _told(step: str, section: Section, shown: int) -> list[str]:
 def _read_memory(memory: Path) -> dict[str, int]:
     try:
         content = json.loads(memory.read_text(encoding="utf-8"))
-    except (FileNotFoundError, ValueError):
+    except (OSError, ValueError):
         return {}
     return content if isinstance(content, dict) else {}
 

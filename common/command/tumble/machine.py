@@ -13,6 +13,10 @@ from typing import NamedTuple, Sequence
 _VERSION = re.compile(r"\d+(?:\.\d+)+")
 _OLDEST_COMPILER = {"gcc": 11, "clang": 14}
 _OLDEST_CMAKE = (3, 25)
+_NEWER_COMPILER = ("install a newer one beside it, as g++-12, and type CXX=g++-12 before the "
+                   "command, as in CXX=g++-12 ./tumble test 1")
+_NEWER_CMAKE = ("this system's package stays so; python3 -m pip install --user cmake gets a newer "
+                "one, in ~/.local/bin, which must come first in PATH (or cmake.org has archives)")
 _FONTS = ("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/TTF/DejaVuSans.ttf",
           "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf")
 _INCLUDE_FLAGS = ("-I/usr/include/eigen3", "-I/usr/include/stb")
@@ -27,6 +31,10 @@ class Finding(NamedTuple):
     purpose: str
     package: str
     needed: bool = True
+    command: str = "demo"
+    """The one that installs it."""
+    newer: str = ""
+    """Where to get a newer one: the package of this system is the old one."""
 
 
 class Header(NamedTuple):
@@ -38,6 +46,7 @@ class Header(NamedTuple):
     includes: Sequence[str]
     version: str = "yes"
     needed: bool = True
+    command: str = "demo"
 
 
 HEADERS = (
@@ -49,7 +58,8 @@ HEADERS = (
     Header("Boost", "exact references of the tests", "libboost-dev", ["boost/version.hpp"],
            "BOOST_LIB_VERSION"),
     Header("benchmark", "timings of the charts", "libbenchmark-dev", ["benchmark/benchmark.h"]),
-    Header("tinyobjloader", "reads OBJ meshes", "libtinyobjloader-dev", ["tiny_obj_loader.h"]),
+    Header("tinyobjloader", "reads OBJ meshes", "libtinyobjloader-dev", ["tiny_obj_loader.h"],
+           needed=False, command="verify"),
     Header("stb", "writes PNG pictures", "libstb-dev", ["stb_image_write.h"]),
     Header("ISA-L", "packs PNG pictures", "libisal-dev", ["isa-l.h"],
            "ISAL_MAJOR_VERSION ISAL_MINOR_VERSION ISAL_PATCH_VERSION"),
@@ -57,7 +67,7 @@ HEADERS = (
     Header("OSMesa", "pictures without a screen", "libosmesa6-dev", ["GL/osmesa.h"],
            "OSMESA_MAJOR_VERSION OSMESA_MINOR_VERSION", needed=False),
     Header("EGL", "pictures without a screen", "libegl-dev libegl1 libegl-mesa0 libgl1-mesa-dri",
-           ["EGL/egl.h"], needed=False),
+           ["EGL/egl.h"], needed=False, command="verify"),
 )
 
 
@@ -80,14 +90,15 @@ def _compiler() -> Finding:
             kind = "clang" if "clang" in words.lower() else "gcc"
             good = int(version.group().split(".")[0]) >= _OLDEST_COMPILER[kind]
             return Finding(name, f"{kind} {version.group()}", good,
-                           "C++20: g++ 11 or clang 14 or newer", "g++")
+                           "C++20: g++ 11 or clang 14 or newer", "g++", newer=_NEWER_COMPILER)
     return Finding("c++", "", False, "C++20: g++ 11 or clang 14 or newer", "g++")
 
 
 def _cmake() -> Finding:
     version = _version_of("cmake")
     good = bool(version) and tuple(map(int, version.split(".")[:2])) >= _OLDEST_CMAKE
-    return Finding("cmake", version, good, "configures the build: 3.25 or newer", "cmake")
+    return Finding("cmake", version, good, "configures the build: 3.25 or newer", "cmake",
+                   newer=_NEWER_CMAKE)
 
 
 def _tool(name: str, purpose: str, package: str, needed: bool = True) -> Finding:
@@ -118,7 +129,7 @@ def _library(header: Header, compiler: str) -> Finding:
             version = re.sub(r"[ _]", ".", found.group(1).replace('"', "").strip())
             break
     return Finding(header.name, version, bool(version), header.purpose, header.package,
-                   header.needed)
+                   header.needed, header.command)
 
 
 def _output(command: Sequence[str], text: str = "") -> str:

@@ -10,7 +10,8 @@ from pathlib import Path
 from typing import Sequence
 
 from . import build, page
-from .console import BAD_USAGE, FAILED, Failure, Progress, complain, say
+from .console import (BAD_USAGE, FAILED, Failure, Progress, complain, require_writable,
+                      say)
 from .gallery import CHART, FILM, REFERENCE, STUDENT, command_file
 from .labs import Lab, find_lab, require_solutions
 
@@ -73,7 +74,7 @@ def run(root: Path, options: argparse.Namespace) -> int:
         require_solutions(root, "--solution")
     out = Path(options.out).absolute() if options.out else root / "out"
     picture = Picture(lab, options.command, REFERENCE if options.solution else STUDENT, out)
-    prepare(out)
+    require_writable(out)
     if arguments == [PEERS]:  # CMake looks for them once; they may have come since
         build.configure(root, "release", again=True)
     build.require(root, "release", [picture.target])
@@ -81,17 +82,6 @@ def run(root: Path, options: argparse.Namespace) -> int:
         return FAILED
     say(f"Look at {page.write(root, out)}, or at the files in {picture.folder}")
     return 0
-
-
-def prepare(folder: Path) -> None:
-    """Before the long work: can it be written to? Root may write anywhere, so it is tried."""
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        trial = folder / ".tumble-trial"
-        trial.touch()
-        trial.unlink()
-    except OSError as error:
-        raise Failure(f"cannot write to {folder}: {error.strerror}") from error
 
 
 def _peers(options: argparse.Namespace) -> list[str]:

@@ -40,7 +40,7 @@ def locked(root: Path, preset: str) -> Iterator[None]:
             finally:
                 _held[folder] -= 1
             return
-        folder.parent.mkdir(exist_ok=True)
+        require_writable(folder.parent)
         with open(folder.with_name(f"{preset}.lock"), "a+", encoding="utf-8") as lock:
             _wait_for(lock, preset)
             _held[folder] = 1

@@ -42,12 +42,13 @@ inline int clear_side(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& p
 /// Whether an edge of a so clearly goes through the inside of b.
 inline bool clearly_pierces(const common::Triangle& a, const common::Triangle& b) {
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3& p = a[i];
-    const Vec3& q = a[(i + 1) % 3];
-    const int before = clear_side(b[0], b[1], b[2], p);
-    if (before == 0 || clear_side(b[0], b[1], b[2], q) != -before) continue;
-    const int turn = clear_side(p, q, b[0], b[1]);
-    if (turn != 0 && clear_side(p, q, b[1], b[2]) == turn && clear_side(p, q, b[2], b[0]) == turn) {
+    const Vec3& from = a[i];
+    const Vec3& to = a[(i + 1) % 3];
+    const int before = clear_side(b[0], b[1], b[2], from);
+    if (before == 0 || clear_side(b[0], b[1], b[2], to) != -before) continue;
+    const int turn = clear_side(from, to, b[0], b[1]);
+    if (turn != 0 && clear_side(from, to, b[1], b[2]) == turn &&
+        clear_side(from, to, b[2], b[0]) == turn) {
       return true;
     }
   }

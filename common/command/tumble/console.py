@@ -6,6 +6,7 @@ import contextlib
 import os
 import shutil
 import sys
+import tempfile
 import textwrap
 import threading
 import time
@@ -88,9 +89,7 @@ def require_writable(folder: Path) -> None:
     """Before the long work: can it be written to? Root may write anywhere, so it is tried."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        trial = folder / ".tumble-trial"
-        trial.touch()
-        trial.unlink()
+        tempfile.TemporaryFile(dir=folder).close()  # without a name: others may try as well
     except OSError as error:
         raise Failure(f"cannot write to {folder}: {error.strerror}") from error
 

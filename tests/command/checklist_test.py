@@ -1,6 +1,7 @@
 """./tumble test: the checklist from what a test program records, the first failure explained."""
 
 import subprocess
+import time
 import unittest
 
 from fake_kit import LAB, KitTestCase
@@ -117,19 +118,28 @@ class Checklist(KitTestCase):
     def test_a_second_command_waits_for_the_first_and_goes_on(self) -> None:
         """Both find the answer right, though each would spoil what the other builds."""
         self.record_steps("", "")
-        marks = self.kit.fake / "marks"
-        self.kit.add_tool("ninja", f'echo in >> "{marks}"; sleep 0.3; echo out >> "{marks}"\n')
-        command = [str(self.kit.root / "tumble"), "test", "1"]
-        environment = {"PATH": str(self.kit.tools), "FAKE": str(self.kit.fake), "LANG": "C.UTF-8"}
-        both = [subprocess.Popen(command, env=environment, text=True, stdout=subprocess.PIPE,
-                                 stderr=subprocess.PIPE) for _ in range(2)]
-        said = [process.communicate(timeout=60) for process in both]
-        self.assertEqual([process.returncode for process in both], [0, 0], said)
+        marks, go = self.kit.fake / "marks", self.kit.fake / "go"
+        self.kit.add_tool("ninja", f'echo in >> "{marks}"\n'
+                          f'while [ ! -f "{go}" ]; do sleep 0.05; done\necho out >> "{marks}"\n')
+        self.addCleanup(go.touch)
+        first = self.start_test()
+        deadline = time.monotonic() + 30.0
+        while not marks.exists():
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.02)
+        second = self.start_test()
+        self.assertRegex(second.stderr.readline(), r"\Atumble: waiting for \./tumble test 1 "
+                         r"\(process \d+\), which uses build/dev\n\Z")
+        go.touch()
+        said = [process.communicate(timeout=60) for process in (first, second)]
+        self.assertEqual([first.returncode, second.returncode], [0, 0], said)
         self.assertEqual(marks.read_text().split(), ["in", "out"] * 2)
-        waited = [errors for _, errors in said if errors]
-        self.assertEqual(len(waited), 1, said)
-        self.assertRegex(waited[0], r"\Atumble: waiting for \./tumble test 1 \(process \d+\), "
-                                    r"which uses build/dev\n\Z")
+        self.assertEqual([errors for _, errors in said], ["", ""])
+
+    def start_test(self) -> subprocess.Popen:
+        environment = {"PATH": str(self.kit.tools), "FAKE": str(self.kit.fake), "LANG": "C.UTF-8"}
+        return subprocess.Popen([self.kit.root / "tumble", "test", "1"], env=environment, text=True,
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE)
 
     def test_cmake_is_run_once_and_again_when_the_kit_was_moved(self) -> None:
         self.kit.tumble("test", "1")

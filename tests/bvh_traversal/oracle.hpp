@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <concepts>
+#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "rational.hpp"
@@ -11,21 +13,39 @@
 /// All pairs that meet, by trying all.
 namespace tests {
 
-/// Whether b is so clearly on one side of a's plane that no digits are needed to say so.
-inline bool clearly_above_or_below(const common::Triangle& a, const common::Triangle& b) {
-  const Vec3 e = a[1] - a[0];
-  const Vec3 f = a[2] - a[0];
-  const Vec3 n = e.cross(f);
+/// Whether b is so clearly beyond a along a direction, on either side, that no digits are needed to
+/// say so. However the direction was rounded, it then parts the two.
+inline bool clearly_parts(const Vec3& direction, const common::Triangle& a,
+                          const common::Triangle& b) {
+  std::pair<double, double> of_a{0.0, 0.0};
+  std::pair<double, double> of_b{std::numeric_limits<double>::infinity(),
+                                 -std::numeric_limits<double>::infinity()};
   double reach = 0.0;
-  int above = 0;
-  int below = 0;
-  for (const Vec3& p : b) reach = std::max(reach, (p - a[0]).norm());
-  const double sure = 1e-12 * e.norm() * f.norm() * reach;
-  for (const Vec3& p : b) {
-    above += n.dot(p - a[0]) > sure ? 1 : 0;
-    below += n.dot(p - a[0]) < -sure ? 1 : 0;
+  const auto look_at = [&](const Vec3& corner, std::pair<double, double>& range) {
+    const Vec3 from_a = corner - a[0];
+    const double along = direction.dot(from_a);
+    range = {std::min(range.first, along), std::max(range.second, along)};
+    reach = std::max(reach, from_a.lpNorm<1>());
+  };
+  look_at(a[1], of_a);
+  look_at(a[2], of_a);
+  for (const Vec3& corner : b) look_at(corner, of_b);
+  const double sure = 1e-12 * direction.lpNorm<1>() * reach;
+  return of_a.second + sure < of_b.first || of_b.second + sure < of_a.first;
+}
+
+/// Across their planes, or across an edge of each.
+inline bool clearly_apart(const common::Triangle& a, const common::Triangle& b) {
+  const auto edge = [](const common::Triangle& t, std::size_t i) {
+    return Vec3(t[(i + 1) % 3] - t[i]);
+  };
+  for (const common::Triangle* t : {&a, &b}) {
+    if (clearly_parts(edge(*t, 0).cross(edge(*t, 1)), a, b)) return true;
   }
-  return above == 3 || below == 3;
+  for (std::size_t i = 0; i < 9; ++i) {
+    if (clearly_parts(edge(a, i / 3).cross(edge(b, i % 3)), a, b)) return true;
+  }
+  return false;
 }
 
 /// On which side of the plane through a, b and c a point is, where no digits are needed to say so;
@@ -62,8 +82,8 @@ inline bool share_a_corner(const common::Triangle& a, const common::Triangle& b)
 /// By digits where these say so, by whole numbers where not. Of triangles whose boxes overlap.
 inline bool meet(const common::Triangle& a, const common::Triangle& b) {
   if (share_a_corner(a, b)) return true;
-  if (clearly_above_or_below(a, b) || clearly_above_or_below(b, a)) return false;
-  return clearly_pierces(a, b) || clearly_pierces(b, a) || meet_exactly(a, b);
+  if (clearly_pierces(a, b) || clearly_pierces(b, a)) return true;
+  return !clearly_apart(a, b) && meet_exactly(a, b);
 }
 
 struct Boxed {

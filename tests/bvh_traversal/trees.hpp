@@ -65,18 +65,19 @@ class TreeMaker {
 
   /// Brings the least along the axis to the front, of equals those of the lower indices.
   void part(std::size_t first, std::size_t front, std::size_t count, Eigen::Index axis) {
-    const auto at = [&](std::size_t i) {
-      return bvh_.triangles.begin() + static_cast<std::ptrdiff_t>(i);
-    };
-    const auto less = [&](std::uint32_t i, std::uint32_t j) {
-      return std::pair(places_[i][axis], i) < std::pair(places_[j][axis], j);
-    };
-    std::nth_element(at(first), at(first + front), at(first + count), less);
+    order_.clear();
+    for (std::size_t i = first; i < first + count; ++i) {
+      order_.emplace_back(places_[bvh_.triangles[i]][axis], bvh_.triangles[i]);
+    }
+    std::nth_element(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(front),
+                     order_.end());
+    for (std::size_t i = 0; i < count; ++i) bvh_.triangles[first + i] = order_[i].second;
   }
 
   std::size_t leaf_size_;
   std::vector<lab::Box> boxes_;
   std::vector<Vec3> places_;  ///< three times the centroids
+  std::vector<std::pair<double, std::uint32_t>> order_;
   lab::Bvh bvh_;
 };
 
@@ -100,11 +101,12 @@ inline double area(const lab::Box& box) {
 }
 
 inline bool boxes_meet(const lab::Box& a, const lab::Box& b, bool strict = false) {
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    if (a.high[i] < b.low[i] || b.high[i] < a.low[i]) return false;
-    if (strict && (a.high[i] == b.low[i] || b.high[i] == a.low[i])) return false;
-  }
-  return true;
+  const auto part = [&](double end, double start) {
+    return end < start || (strict && end == start);
+  };
+  return !(part(a.high.x(), b.low.x()) || part(b.high.x(), a.low.x()) ||
+           part(a.high.y(), b.low.y()) || part(b.high.y(), a.low.y()) ||
+           part(a.high.z(), b.low.z()) || part(b.high.z(), a.low.z()));
 }
 
 class Walker {

@@ -129,6 +129,31 @@ void set_up_benchmark() {
   benchmark::Initialize(&count, arguments.data());
 }
 
+/// How often the points are timed beyond the first repeat of each.
+int further_repeats(const std::vector<Judged>& all) {
+  int repeats = 0;
+  for (const Judged& one : all) {
+    for (const int count : one.repeats) repeats += count - 1;
+  }
+  return repeats;
+}
+
+/// Google Benchmark times one point of a method; `repeated` is called after each further repeat.
+template <typename Repeated>
+void register_point(const std::string& name, const Method& method, double parameter, int repeats,
+                    double least_seconds, const Repeated& repeated) {
+  benchmark::RegisterBenchmark(
+      name.c_str(),
+      [&, parameter, counter = RepeatCounter()](benchmark::State& state) mutable {
+        if (method.prepare) method.prepare(parameter);
+        for ([[maybe_unused]] auto turn : state) method.run(parameter);
+        if (counter.is_repeat(state.max_iterations)) repeated();
+      })
+      ->Repetitions(repeats)
+      ->MinTime(least_seconds)
+      ->Unit(benchmark::kSecond);
+}
+
 }  // namespace
 
 std::vector<double> ladder(int first, int last, int factor) {
@@ -142,29 +167,16 @@ std::vector<ChartSeries> measured(const std::vector<Method>& methods, Extent ext
   const std::vector<Judged> all = judged(methods, effort);
   set_up_benchmark();
   std::vector<ChartSeries> series;
-  bool any = false;
-  int repeats = 0;  // but for each point's first
-  for (const Judged& one : all) {
-    series.push_back(one.series);
-    any = any || !one.repeats.empty();
-    for (const int count : one.repeats) repeats += count - 1;
-  }
-  Progress progress("timed", repeats);
+  for (const Judged& one : all) series.push_back(one.series);
+  const bool any =
+      std::any_of(all.begin(), all.end(), [](const Judged& one) { return !one.repeats.empty(); });
+  Progress progress("timed", further_repeats(all));
   int done = 0;
+  const auto repeated = [&] { progress.show(++done); };
   for (std::size_t m = 0; m < methods.size(); ++m) {
-    const Method& method = methods[m];
     for (std::size_t p = 0; p < series[m].points.size(); ++p) {
-      const double parameter = method.parameters[p];
-      benchmark::RegisterBenchmark(
-          name_of(m, p).c_str(),
-          [&, parameter, counter = RepeatCounter()](benchmark::State& state) mutable {
-            if (method.prepare) method.prepare(parameter);
-            for ([[maybe_unused]] auto turn : state) method.run(parameter);
-            if (counter.is_repeat(state.max_iterations)) progress.show(++done);
-          })
-          ->Repetitions(all[m].repeats[p])
-          ->MinTime(effort.least_seconds)
-          ->Unit(benchmark::kSecond);
+      register_point(name_of(m, p), methods[m], methods[m].parameters[p], all[m].repeats[p],
+                     effort.least_seconds, repeated);
     }
   }
   Collector collector;

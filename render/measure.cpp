@@ -167,6 +167,7 @@ std::vector<ChartSeries> measured(const std::vector<Method>& methods, Extent ext
   const std::vector<Judged> all = judged(methods, effort);
   set_up_benchmark();
   std::vector<ChartSeries> series;
+  series.reserve(all.size());
   for (const Judged& one : all) series.push_back(one.series);
   const bool any =
       std::any_of(all.begin(), all.end(), [](const Judged& one) { return !one.repeats.empty(); });

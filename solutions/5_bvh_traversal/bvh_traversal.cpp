@@ -170,6 +170,7 @@ Traversal traverse_as_first_written(const Bvh& a, const Bvh& b) {
 namespace {
 
 Box moved(const Box& box, const RigidTransform& motion);  // step 5.7
+Box seen(const Box& box, const RigidTransform* by) { return by == nullptr ? box : moved(box, *by); }
 
 /// a_from_b is null at rest.                                                              eq. (6)
 Traversal pairs_of_leaves(const Bvh& a, const Bvh& b, const RigidTransform* a_from_b) {
@@ -180,7 +181,7 @@ Traversal pairs_of_leaves(const Bvh& a, const Bvh& b, const RigidTransform* a_fr
     stack.pop_back();
     const BvhNode& node_a = a.nodes[pair.a];
     const BvhNode& node_b = b.nodes[pair.b];
-    const Box box_b = a_from_b == nullptr ? node_b.box : moved(node_b.box, *a_from_b);
+    const Box box_b = seen(node_b.box, a_from_b);
     ++found.box_tests;
     if (!overlap(node_a.box, box_b)) continue;
     if (is_leaf(node_a) && is_leaf(node_b)) {
@@ -188,10 +189,9 @@ Traversal pairs_of_leaves(const Bvh& a, const Bvh& b, const RigidTransform* a_fr
       continue;
     }
     const bool into_a = !is_leaf(node_a) && (is_leaf(node_b) || a_is_bigger(node_a.box, box_b));
-    const BvhNode& inner = into_a ? node_a : node_b;
-    for (const std::uint32_t child : {inner.first, inner.first + 1}) {
-      stack.push_back(into_a ? NodePair{child, pair.b} : NodePair{pair.a, child});
-    }
+    const std::uint32_t child = into_a ? node_a.first : node_b.first;  // the other one follows it
+    stack.push_back(into_a ? NodePair{child, pair.b} : NodePair{pair.a, child});
+    stack.push_back(into_a ? NodePair{child + 1, pair.b} : NodePair{pair.a, child + 1});
   }
   std::sort(found.ends.begin(), found.ends.end());
   return found;
@@ -293,7 +293,7 @@ bool are_skew(const Triangle& a, const Triangle& b) {
   return false;
 }
 
-/// All pairs of triangles of all pairs of leaves. a_from_b is null at rest.
+/// All pairs of triangles of the leaves. Boxes are asked first, uncounted. Null: a and b at rest.
 Intersections pairs_that_meet(const Bvh& a, const Bvh& b, const RigidTransform* a_from_b) {
   const Traversal leaves = pairs_of_leaves(a, b, a_from_b);
   Intersections found{{}, leaves.box_tests, 0};
@@ -306,9 +306,9 @@ Intersections pairs_that_meet(const Bvh& a, const Bvh& b, const RigidTransform* 
       if (a_from_b != nullptr) t = common::transformed(*a_from_b, t);
       const Box box = box_of(t);
       for (std::uint32_t i = leaf_a.first; i < leaf_a.first + leaf_a.count; ++i) {
-        if (!overlap(box_of(a.corners[i]), box)) continue;  // pays, and is not counted
-        if (!triangles_meet(a.corners[i], t)) continue;
-        found.pairs.push_back({a.triangles[i], b.triangles[j]});
+        if (overlap(box_of(a.corners[i]), box) && triangles_meet(a.corners[i], t)) {
+          found.pairs.push_back({a.triangles[i], b.triangles[j]});
+        }
       }
     }
   }

@@ -137,9 +137,10 @@ add_mutant(${lab} stuck_at_bigger_leaf 5.4
 add_mutant(${lab} smaller_descended 5.4
   "(is_leaf(node_b) || a_is_bigger(" "(is_leaf(node_b) || !a_is_bigger(" "smaller node is descended")
 
-# The loop over the children is not one.
+# The other child is forgotten.
 add_mutant(${lab} one_child_descended 5.4
-  "{inner.first, inner.first + 1}" "{inner.first}" "only one child")
+  "stack.push_back(into_a ? NodePair{child + 1, pair.b} : NodePair{pair.a, child + 1});" ""
+  "only one child")
 
 # Both orders of a pair are gone through.
 add_mutant(${lab} pairs_of_leaves_twice 5.4

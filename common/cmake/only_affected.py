@@ -59,10 +59,8 @@ def _part(text: str, is_helper: bool) -> Part:
 
 
 def only_affected(right: str, wrong: str) -> str:
-    before = {part.text for part in parts(right)}
     after = parts(wrong)
-    changed = [part for part in after if part.text not in before]
-    changed += [part for part in parts(right) if part.text not in {part.text for part in after}]
+    changed = set(parts(right)) ^ set(after)
     affected = _closure({part.name for part in changed}, after)
     if "" in affected:
         return wrong

@@ -22,7 +22,7 @@ _NO_TARGET = re.compile(r"ninja: error: unknown target '([^']+)'")
 
 
 _locks_here = threading.RLock()
-_held: dict[Path, int] = {}
+_held: set[Path] = set()
 
 
 @contextlib.contextmanager
@@ -34,20 +34,16 @@ def locked(root: Path, preset: str) -> Iterator[None]:
     folder = build_folder(root, preset)
     with _locks_here:
         if folder in _held:
-            _held[folder] += 1
-            try:
-                yield
-            finally:
-                _held[folder] -= 1
+            yield
             return
         require_writable(folder.parent)
         with open(folder.with_name(f"{preset}.lock"), "a+", encoding="utf-8") as lock:
             _wait_for(lock, preset)
-            _held[folder] = 1
+            _held.add(folder)
             try:
                 yield
             finally:
-                del _held[folder]
+                _held.remove(folder)
 
 
 def _wait_for(lock: IO[str], preset: str) -> None:

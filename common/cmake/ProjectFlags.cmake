@@ -11,10 +11,12 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 target_compile_options(base_flags INTERFACE -ffp-contract=off -fno-math-errno -fno-trapping-math)
 # Small matrices compute at once, see common/eager_operators.hpp.
 target_compile_options(base_flags INTERFACE "-DEIGEN_MATRIX_PLUGIN=<common/eager_members.hpp>")
+# So the headers of a processor's vector instructions, a quarter of a precompiled header, are not
+# needed by Eigen. Its types keep the layout that packaged libraries were built with.
+target_compile_definitions(base_flags INTERFACE
+  EIGEN_DONT_VECTORIZE EIGEN_MAX_ALIGN_BYTES=16 EIGEN_MAX_STATIC_ALIGN_BYTES=16)
 if(TUMBLE_NATIVE)
-  # Eigen's types keep the layout that packaged libraries were built with.
   target_compile_options(base_flags INTERFACE -march=native)
-  target_compile_definitions(base_flags INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
 endif()
 # While asserts are on, an index beyond a vector's end is an error that says so.
 target_compile_definitions(base_flags INTERFACE $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)

@@ -205,7 +205,7 @@ TEST_CASE("The tests of a query grow slower than its meshes but on shells", "[5.
   const auto exponent = [](bool shells) {
     double tests_made[2] = {0.0, 0.0};
     int k = 0;
-    for (const std::size_t n : {600U, 9600U}) {
+    for (const std::size_t n : {300U, 4800U}) {
       const TriangleMesh mesh = shells ? common::bumpy_sphere(n) : common::bumpy_torus(n);
       const double edge = std::sqrt(12.0 / static_cast<double>(n));
       const Bvh a = tests::tree_of(mesh, 4);
@@ -220,11 +220,11 @@ TEST_CASE("The tests of a query grow slower than its meshes but on shells", "[5.
     return std::log(tests_made[1] / tests_made[0]) / std::log(16.0);
   };
   Trial("5.5 find_intersections")
-      .given("meshes", tests::Code{"two tori, 600 and 9600 triangles"})
+      .given("meshes", tests::Code{"two tori, 300 and 4800 triangles"})
       .expect_small("exponent of the tests over the triangles", exponent(false),
                     {0.8, "the meshes meet along curves"});
   Trial("5.5 find_intersections")
-      .given("meshes", tests::Code{"two shells, 600 and 9600 triangles"})
+      .given("meshes", tests::Code{"two shells, 300 and 4800 triangles"})
       .expect_small("distance of the exponent from 1", std::abs(exponent(true) - 1.0),
                     {0.15, "the boxes overlap everywhere"});
 }

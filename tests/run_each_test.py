@@ -44,6 +44,17 @@ class Runner(unittest.TestCase):
         self.assertNotIn("these words", ended[1].output)
         self.assertRegex(ended[1].output, r"All tests passed \(1 assertion")
 
+    def test_what_was_asked_is_told_however_it_ends(self) -> None:
+        ways = ("crashes", "aborts", "overflows the stack", "leaves", "loops", "sleeps")
+        ended = run(*(f"1.{number}|Asked it {way}" for number, way in enumerate(ways)))
+        self.assertEqual([ended[line].end for line in range(6)],
+                         ["signal"] * 3 + ["exit", "timeout", "waits"])
+        self.assertEqual(ended[2].value, signal.SIGSEGV)
+        for record in ended.values():
+            told = [line for line in record.output.splitlines() if line.startswith("| ")]
+            self.assertEqual(told, ["| step    1.1 answer", "| case    2 of 5",
+                                    "| input   depth = 0.1;"], ways[record.line])
+
     def test_endless_output_and_hunger_for_memory_are_bounded(self) -> None:
         ended = run("1.1|It prints without end", "1.1|It takes all memory")
         self.assertEqual((ended[0].end, ended[0].value), ("signal", signal.SIGXFSZ))

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "trial.hpp"
 
 TEST_CASE("It passes") { CHECK(true); }
 TEST_CASE("It fails") { CHECK(false); }
@@ -31,3 +32,36 @@ TEST_CASE("It loops") {
   for (std::atomic<unsigned> work{0};; ++work) {
   }
 }
+
+namespace {
+
+[[noreturn]] int loop() {
+  for (std::atomic<unsigned> work{0};; ++work) {
+  }
+}
+
+int overflow(int depth) { return depth < 0 ? 0 : 1 + overflow(depth + 1) * depth; }
+
+template <typename Answer>
+void ask(const Answer& answer) {
+  tests::Trial("1.1 before").given("depth", 2.0).expect(1.0, 1.0, {0.0, "exact"});
+  const tests::Trial asked = tests::Trial("1.1 answer", 2, 5).given("depth", 0.1);
+  asked.of("a part").expect(static_cast<double>(answer()), 1.0, {0.0, "exact"});
+}
+
+}  // namespace
+
+TEST_CASE("Asked it crashes") {
+  ask([] { return raise(SIGSEGV); });
+}
+TEST_CASE("Asked it aborts") {
+  ask([]() -> int { std::abort(); });
+}
+TEST_CASE("Asked it overflows the stack") {
+  ask([] { return overflow(0); });
+}
+TEST_CASE("Asked it leaves") {
+  ask([]() -> int { std::exit(0); });
+}
+TEST_CASE("Asked it loops") { ask(loop); }
+TEST_CASE("Asked it sleeps") { ask(pause); }

@@ -58,6 +58,11 @@ function(add_lab name)
 
   _add_answer(student "${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp" answer_flags PICTURES)
   _add_cases(student student)
+  if(TUMBLE_SHARED)
+    _add_closer_look(debug -O0 -g)
+    _add_closer_look(sanitized -O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all
+      -ftrivial-auto-var-init=pattern)  # what is never set is far from right
+  endif()
   if(EXISTS "${solutions}")
     _add_answer(reference "${solutions}/${name}.cpp" project_flags PICTURES)
   endif()
@@ -198,6 +203,17 @@ function(_add_answer answer source flags)
       target_link_libraries(${implementation}_${kind} PRIVATE ${implementation} ${program})
     endif()
   endforeach()
+endfunction()
+
+# _add_closer_look(<kind> <flag>...): <name>_student_<kind>_test, the student's file compiled otherwise
+# and linked with the same tests. Nothing builds it but the command.
+function(_add_closer_look kind)
+  set(program ${name}_student_${kind}_test)
+  add_executable(${program} EXCLUDE_FROM_ALL "${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp")
+  target_compile_options(${program} PRIVATE ${ARGN})
+  target_link_options(${program} PRIVATE ${ARGN})
+  target_link_libraries(${program} PRIVATE ${name}_contract answer_flags test_main ${name}_tests)
+  set_target_properties(${program} PROPERTIES UNITY_BUILD OFF)
 endfunction()
 
 # The lab's tests with solutions/grading/<name>/proxy.cpp in place of an answer, and what an answer is

@@ -46,4 +46,7 @@ target_compile_options(project_flags INTERFACE
 add_library(answer_flags INTERFACE)
 target_link_libraries(answer_flags INTERFACE base_flags)
 # (-Wpedantic changes what GCC predefines, so a precompiled header fits all of its users or none.)
-target_compile_options(answer_flags INTERFACE -Wall -Wextra -Wpedantic -Wno-unused-parameter)
+# The last ones name what students do: a number cut to a whole one, a condition asked twice.
+target_compile_options(answer_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Wno-unused-parameter -Wfloat-conversion
+  $<$<CXX_COMPILER_ID:GNU>:-Wduplicated-cond> $<$<CXX_COMPILER_ID:GNU>:-Wlogical-op>)

@@ -6,7 +6,8 @@
 // only. For each case, as it ends, there is a record on stdout:
 //   case LINE END VALUE SECONDS BYTES\n, then BYTES of what the case printed, then \n
 // LINE counts from 0; END VALUE is "exit code", "signal number", "timeout 0", "waits 0" (it slept)
-// or "skipped 0"; SECONDS are of computing, so a busy machine makes no case run out of time.
+// or "skipped 0"; SECONDS are of computing, so a busy machine makes no case run out of time. A case
+// that crashes, leaves or runs out of time first tells what it asked the answer, see UnderWay.
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -24,14 +25,20 @@
 #include <string>
 #include <vector>
 
+#include "under_way.hpp"
+
 /// Catch2's main.
 extern "C" int __real_main(int argc, char** argv);  // NOLINT: the linker's names
+
+/// There under the sanitizers only.
+extern "C" void __sanitizer_set_death_callback(void (*)()) __attribute__((weak));  // NOLINT
 
 namespace {
 
 constexpr double patience = 6.0;     // [s] of computing; a right answer takes a tenth of it
 constexpr double no_patience = 0.5;  // [s], once a case has run out of time
 constexpr double nap = 3.0;          // [s] asleep: there is nothing that a case could wait for
+constexpr double last_words = 0.3;   // [s] for a case that must end to tell what it asked
 constexpr int hopeless = 3;          // cases of a step that ran out of time: the rest is not run
 constexpr rlim_t most_output = 16U << 20U;
 constexpr rlim_t most_memory = 8ULL << 30U;
@@ -45,8 +52,41 @@ struct Child {
   std::size_t line;
   pid_t pid;
   int output;
-  double asleep_since;  ///< or 0 while it runs
+  double asleep_since = 0.0;  ///< 0 while it runs
+  std::string must_end = "";  ///< why it has been told to end: its record's END VALUE
+  double told = 0.0;          ///< when
 };
+
+void tell_and_leave(int /*signal*/) {
+  tests::UnderWay::tell_of_newest();
+  _exit(EXIT_FAILURE);
+}
+
+/// After Catch2's handler, which tells the signal and raises it again.
+void tell_and_crash(int number) {
+  tests::UnderWay::tell_of_newest();
+  std::signal(number, SIG_DFL);
+  std::raise(number);
+}
+
+/// A case that ends before its end tells what it asked.
+void tell_when_ended() {
+  std::atexit([] { tests::UnderWay::tell_of_newest(); });
+  std::signal(SIGXCPU, tell_and_leave);
+  if (__sanitizer_set_death_callback != nullptr) {  // they tell of crashes
+    __sanitizer_set_death_callback([] { tests::UnderWay::tell_of_newest(); });
+    return;
+  }
+  static char stack[1U << 18U];  // of its own: the crash may be an overflow of the other
+  const stack_t own{stack, 0, sizeof stack};
+  sigaltstack(&own, nullptr);
+  struct sigaction action {};
+  action.sa_handler = tell_and_crash;
+  action.sa_flags = SA_ONSTACK;
+  for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) {
+    sigaction(number, &action, nullptr);
+  }
+}
 
 double seconds(clockid_t clock) {
   timespec now{};
@@ -111,7 +151,7 @@ class Runner {
       std::cerr << "no process for a case: " << std::strerror(errno) << '\n';
       std::exit(EXIT_FAILURE);
     }
-    running_.push_back({line, pid, output, 0.0});
+    running_.push_back({line, pid, output});
   }
 
   [[noreturn]] void run_case(const std::string& name, int output) {
@@ -128,7 +168,8 @@ class Runner {
     };
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, most_output);
-    limit(RLIMIT_AS, most_memory);
+    if (__sanitizer_set_death_callback == nullptr) limit(RLIMIT_AS, most_memory);
+    tell_when_ended();
     std::vector<std::string> arguments = arguments_;
     arguments.insert(arguments.begin() + 1, name);
     std::exit(run_catch(std::move(arguments)));
@@ -149,23 +190,30 @@ class Runner {
     rusage used{};
     if (wait4(child.pid, &status, WNOHANG, &used) == child.pid) {
       kill(-child.pid, SIGKILL);  // what it may have left running
-      const std::string end = WIFSIGNALED(status) ? "signal " + std::to_string(WTERMSIG(status))
-                                                  : "exit " + std::to_string(WEXITSTATUS(status));
+      std::string end = child.must_end;
+      if (end.empty()) {
+        end = WIFSIGNALED(status) ? "signal " + std::to_string(WTERMSIG(status))
+                                  : "exit " + std::to_string(WEXITSTATUS(status));
+      }
       const double computed =
           static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
           1e-6 * static_cast<double>(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
       report(child.line, end, computed, child.output);
       return true;
     }
-    const double computed = seconds_computed(child.pid);
-    const bool is_late = computed > (anything_out_of_time_ ? no_patience : patience);
-    if (!is_late && !has_slept(child)) return false;
-    kill(-child.pid, SIGKILL);
-    waitpid(child.pid, nullptr, 0);
-    ++out_of_time_[cases_[child.line].step];
-    anything_out_of_time_ = true;
-    report(child.line, is_late ? "timeout 0" : "waits 0", computed, child.output);
-    return true;
+    if (child.must_end.empty()) {
+      const double computed = seconds_computed(child.pid);
+      const bool is_late = computed > (anything_out_of_time_ ? no_patience : patience);
+      if (!is_late && !has_slept(child)) return false;
+      child.must_end = is_late ? "timeout 0" : "waits 0";
+      child.told = seconds(CLOCK_MONOTONIC);
+      ++out_of_time_[cases_[child.line].step];
+      anything_out_of_time_ = true;
+      kill(child.pid, SIGXCPU);
+    } else if (seconds(CLOCK_MONOTONIC) - child.told > last_words) {
+      kill(-child.pid, SIGKILL);
+    }
+    return false;
   }
 
   static bool has_slept(Child& child) {

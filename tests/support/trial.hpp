@@ -10,6 +10,7 @@
 
 #include "catch.hpp"
 #include "common/not_implemented.hpp"
+#include "under_way.hpp"
 #include "values.hpp"
 
 namespace tests {
@@ -28,8 +29,9 @@ struct Suspect {
 };
 
 /// One input on which a contract function is judged. When the judgement fails it explains itself on
-/// stderr, a line a fact, each after "| ": step, case, input, got, wanted, error, bound, likely.
-class Trial {
+/// stderr, a line a fact, each after "| ": step, case, input, got, wanted, error, bound, likely. Where
+/// the answer crashes or never returns, run_each has it tell step, case and input.
+class Trial : private UnderWay {
  public:
   /// step_and_function  as the stub throws it: "1.2 point_velocity"
   /// index, count       which of how many inputs of one test case, from 1
@@ -154,14 +156,21 @@ class Trial {
     std::terminate();  // FAIL throws
   }
 
-  /// Two stories that fit are none: only a sure sign is named.
-  void explain(const std::string& got, const std::string& wanted, const std::string& error,
-               const std::string& bound, const std::vector<std::string>& stories) const {
+  [[nodiscard]] std::string asked() const {
     std::string lines = "| step    " + step_ + "\n";
     if (count_ > 1) {
       lines += "| case    " + std::to_string(index_) + " of " + std::to_string(count_) + "\n";
     }
     for (const auto& input : inputs_) lines += "| input   " + input() + "\n";
+    return lines;
+  }
+
+  void tell() const override { std::cerr << asked() << std::flush; }
+
+  /// Two stories that fit are none: only a sure sign is named.
+  void explain(const std::string& got, const std::string& wanted, const std::string& error,
+               const std::string& bound, const std::vector<std::string>& stories) const {
+    std::string lines = asked();
     if (!part_.empty()) lines += "| note    this is about " + part_ + "\n";
     lines += "| got     " + got + "\n| wanted  " + wanted + "\n| error   " + error + "\n";
     if (!bound.empty()) lines += "| bound   " + bound + "\n";

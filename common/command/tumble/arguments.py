@@ -94,8 +94,7 @@ def make_parser() -> argparse.ArgumentParser:
             new.add_argument("--all", action="store_true", help=(
                 "also what takes long: the grader's attacks, its judge, a class, other seeds, "
                 "Slurm, sanitizers"))
-    lab_command("test", "checklist", "test your answer to lab N: a checklist by step").add_argument(
-        "--all", action="store_true", help="explain every failure, not only the first")
+    _add_test(lab_command("test", "checklist", "test your answer to lab N: a checklist by step"))
     lab_command("watch", "watch", "run lab N's tests again whenever you save; Ctrl-C ends it")
     _add_hint(command("hint", "hints", "show a step's next hint: idea, then formula, then line"))
     _add_frames(lab_command("frames", "pictures", "draw lab N's scene: frames and film strip"))
@@ -122,6 +121,16 @@ def _add_grade(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--check", action="store_true", help="grade reference and stub alone")
     parser.add_argument("--no-sandbox", action="store_true",
                         help="run students' code unprotected; results say so")
+
+
+def _add_test(parser: argparse.ArgumentParser) -> None:
+    which = parser.add_mutually_exclusive_group()
+    which.add_argument("--all", action="store_true",
+                       help="explain every failure, not only the first")
+    which.add_argument("--case", metavar="WORDS", help=(
+        "run the one case whose title holds these words, and show what your code prints"))
+    parser.add_argument("--debug", action="store_true",
+                        help="with --case: in gdb, stopped where your code is first called")
 
 
 def _add_hint(parser: argparse.ArgumentParser) -> None:

@@ -1,22 +1,29 @@
-"""./tumble test N: the student's answer, step by step, then the first failure explained."""
+"""./tumble test N: the student's answer, step by step, then the first failure explained.
+
+With --case it is one case, as it runs: see look_into.py.
+"""
 
 from __future__ import annotations
 
 import argparse
+import sys
 from pathlib import Path
 from typing import Mapping, NamedTuple, Optional, Sequence
 
-from . import build, ctest, runner
-from .console import FAILED, Failure, coloured, labelled, mark, say, shortened
+from . import answer, build, ctest, look_into, runner, sanitized
+from .console import BAD_USAGE, FAILED, Failure, coloured, labelled, mark, say
 from .labs import Lab, find_lab
 from .outcome import (CRASHED, ENDED_EARLY, EXCEPTION, NOT_RUN, NOT_WRITTEN, PASS, TIMED_OUT,
-                      Outcome, assertion, catch_failure, explanation, outcome)
+                      Outcome, assertion, catch_failure, explanation, outcome, printed)
 
 _PROSE = {"bound", "likely", "note", "error"}
+_ASKED = {"step", "case", "input"}
 _LABEL_WIDTH = 7
 _TAIL_LINES = 12
-_USUAL_CRASH = ("usual causes are an index out of range, a function that calls itself without end, "
-                "and a missing return")
+_PRINTED_LINES = 20
+_USUAL_CRASH = ("usual causes are an index out of range, a reference kept while its vector grows, an "
+                "order for std::sort that is true for equals (<=), a function that calls itself "
+                "without end, and a missing return")
 
 
 class Checked(NamedTuple):
@@ -30,27 +37,47 @@ class Checked(NamedTuple):
 
 def run(root: Path, options: argparse.Namespace) -> int:
     lab = find_lab(root, options.lab)
+    if options.debug and options.case is None:
+        raise Failure("--debug looks into one case: add --case WORDS", BAD_USAGE)
+    if options.case is not None:
+        return look_into.run_one(root, lab, options.case, options.debug)
     return test_lab(root, lab, options.all)
 
 
 def test_lab(root: Path, lab: Lab, explain_all: bool = False) -> int:
-    target = f"{lab.name}_student_test"
     with build.locked(root, "dev"):
-        built = build.build(root, "dev", [target])
-        if not built.ok:
-            own_fault = f"{lab.stub.name}:" in built.diagnostics
-            blamed = lab.stub.name if own_fault else f"the test of lab {lab.number}"
-            raise Failure(f"{blamed} does not build, so nothing is tested yet",
-                          details=shortened(built.diagnostics, build.DIAGNOSTICS_LIMIT))
-        if built.diagnostics:
-            say(coloured("The compiler warns:", "yellow"),
-                shortened(built.diagnostics, build.DIAGNOSTICS_LIMIT), "")
-        program = build.build_folder(root, "dev") / "labs" / lab.folder / target
+        program = answer.compiled(root, lab)
         cases = runner.run_cases(program, f"{lab.folder}/student")
-    checked = [_checked(case) for case in cases]
-    say(*checklist(lab, checked), "")
+        checked = [_checked(case) for case in cases]
+        say(*checklist(lab, checked), "")
+        if all(check.outcome.word == PASS for check in checked):
+            return _look_closer(root, lab)
     say(*what_next(lab, checked, explain_all))
-    return 0 if all(check.outcome.word == PASS for check in checked) else FAILED
+    return FAILED
+
+
+def _look_closer(root: Path, lab: Lab) -> int:
+    sys.stdout.flush()
+    looked_at, findings = sanitized.first_finding(root, lab)
+    if not findings:
+        say(coloured("All done.", "green") + f" Look at it: ./tumble frames {lab.number}"
+            f" and ./tumble chart {lab.number}")
+        if not looked_at:
+            say("(No sanitizers here: undefined behaviour was not looked for.)")
+        return 0
+    found = findings[0]
+    check = _checked(found.case)
+    lines = [coloured("All tests pass, but by undefined behaviour: ", "bold") + check.title]
+    for label, text in explanation(check.case.output):
+        if label in _ASKED:
+            lines += labelled(label, text, _LABEL_WIDTH, wrap=False)
+    if found.line:
+        source = lab.stub.read_text(encoding="utf-8", errors="replace").splitlines()
+        where = f"labs/{lab.folder}/{lab.stub.name}:{found.line}"
+        lines += labelled("at", f"{where}\n{source[found.line - 1].strip()}", _LABEL_WIDTH, wrap=False)
+    lines += labelled("note", found.what, _LABEL_WIDTH)
+    say(*lines, *_help_lines(lab, check.step))
+    return FAILED
 
 
 def _checked(case: ctest.Case) -> Checked:
@@ -96,9 +123,6 @@ def what_next(lab: Lab, checked: Sequence[Checked], explain_all: bool) -> list[s
     failures.sort(key=lambda check: _by_number(check.step))
     if failures:
         return _explained(lab, failures, explain_all)
-    if not open_cases:
-        return [coloured("All done.", "green") + f" Look at it: ./tumble frames {lab.number}"
-                f" and ./tumble chart {lab.number}"]
     first = min(open_cases, key=lambda check: _by_number(check.step))
     begun = len(open_cases) < len(checked)
     lines = ["So far, so good." if begun else "Nothing is written yet."]
@@ -116,13 +140,24 @@ def _explained(lab: Lab, failures: Sequence[Checked], explain_all: bool) -> list
     for number, failure in enumerate(shown):
         opening = "First failure: " if number == 0 else "Next failure: "
         lines += [coloured(opening + failure.title, "bold"), *_explain(failure),
-                  *_not_run(failure, failures), ""]
+                  *_printed(lab, failure), *_not_run(failure, failures), ""]
     lines += _help_lines(lab, failures[0].step)
     rest = len(failures) - len(shown)
     if rest:
         text = f"./tumble test {lab.number} --all   explains the other {rest}, too"
         lines += labelled("more", text, _LABEL_WIDTH)
     return lines
+
+
+def _printed(lab: Lab, failure: Checked) -> list[str]:
+    lines = printed(failure.case.output)
+    if not lines:
+        return []
+    kept = lines[:_PRINTED_LINES]
+    if len(lines) > len(kept):
+        kept.append(f"... {len(lines) - len(kept)} more lines: ./tumble test {lab.number} "
+                    f'--case "{failure.title}"')
+    return labelled("prints", "\n".join(kept), _LABEL_WIDTH, wrap=False)
 
 
 def _not_run(failure: Checked, failures: Sequence[Checked]) -> list[str]:
@@ -137,9 +172,9 @@ def _not_run(failure: Checked, failures: Sequence[Checked]) -> list[str]:
 
 def _explain(failure: Checked) -> list[str]:
     """The test's own explanation, or else what can be said from outside."""
-    block = explanation(failure.case.output)
-    if not block:
-        block = [("step", failure.step)] + _from_outside(failure)
+    block = explanation(failure.case.output) or [("step", failure.step)]
+    if all(label in _ASKED for label, _ in block):  # the answer did not return
+        block += _from_outside(failure)
     lines = []
     previous = ""
     for label, text in block:

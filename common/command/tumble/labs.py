@@ -52,6 +52,36 @@ class Lab(NamedTuple):
                 return f"{stub}:{number}"
         return stub
 
+    @property
+    def header(self) -> Path:
+        return self.path / f"{self.name}.hpp"
+
+    def step_of(self, function: str) -> str:
+        """The step that asks for a function of the contract, as its tests say; "" if none does."""
+        tests = [_text(path) for path in
+                 sorted((self.path.parents[1] / "tests" / self.name).glob("*.[ch]pp"))]
+        for text in tests:
+            named = re.search(rf'"(\d+\.\d+) {re.escape(function)}\b', text)
+            if named:
+                return named.group(1)
+        for text in tests:
+            tag = re.search(r'"\[(\d+\.\d+)\]"', text)
+            if tag and f'"{function}"' in text:
+                return tag.group(1)
+        return ""
+
+    def declaration(self, function: str) -> str:
+        """Where the header declares it, or ""."""
+        for number, line in enumerate(_text(self.header).splitlines(), 1):
+            if re.match(rf"[A-Za-z].*\b{re.escape(function)}\(", line):
+                return f"labs/{self.folder}/{self.header.name}:{number}"
+        return ""
+
+    def functions_of(self, step: str) -> list[str]:
+        """What a step asks for, in the header's order."""
+        declared = re.findall(r"^[A-Za-z].*?\b(\w+)\(", _text(self.header), re.MULTILINE)
+        return [name for name in dict.fromkeys(declared) if self.step_of(name) == step]
+
     def _handout_text(self) -> str:
         return _text(self.handout)
 

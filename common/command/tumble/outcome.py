@@ -24,6 +24,8 @@ _CATCH_FAILURE = re.compile(r"^[^\n]+: FAILED:\n.*?(?=\n\n(?:[.=-]{20}|\S+: FAIL
                             re.MULTILINE | re.DOTALL)
 _EXPLANATION = re.compile(r"\| (\w+) *(.*)")
 _VERDICT = re.compile(r"^(test cases:|All tests passed)", re.MULTILINE)
+_CATCH_REPORT = re.compile(r"^(?:~{70,}|={70,}|-{70,})$", re.MULTILINE)
+_OF_CATCH = re.compile(r"Filters: |Randomness seeded to: ")
 _OTHER_REASONS = {"", "Failed", "Not Run"}
 
 
@@ -65,6 +67,13 @@ def explanation(output: str) -> list[tuple[str, str]]:
         if match:
             block.append((match.group(1), match.group(2)))
     return block
+
+
+def printed(output: str) -> list[str]:
+    """What the student's code printed: all that is neither the test's words nor Catch2's."""
+    before = _CATCH_REPORT.split(output, 1)[0]
+    return [line for line in before.strip("\n").splitlines()
+            if not _EXPLANATION.fullmatch(line.rstrip()) and not _OF_CATCH.match(line)]
 
 
 def assertion(output: str) -> Optional[str]:

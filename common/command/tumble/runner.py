@@ -8,6 +8,7 @@ import signal
 import subprocess
 import tempfile
 from pathlib import Path
+from types import MappingProxyType
 from typing import BinaryIO, Iterator, Mapping, NamedTuple, Optional, Sequence
 
 from .console import Failure, Progress, shortened
@@ -33,17 +34,20 @@ class Ended(NamedTuple):
     output: str
 
 
-def run_cases(program: Path, prefix: str) -> list[Case]:
+def run_cases(program: Path, prefix: str,
+              environment: Mapping[str, str] = MappingProxyType({})) -> list[Case]:
     """All cases of cases.txt beside the program, which CMake reads from the sources of the tests.
 
     A case is named <prefix>/<step>/<name>.
+    environment  what the program finds set, beside all the rest
     """
     listed = program.with_name("cases.txt")
     names = listed.read_text(encoding="utf-8").splitlines()
     command = [str(program), "--each", str(listed), str(os.cpu_count() or 1)]
     ended: dict[int, Ended] = {}
     with Progress() as progress, tempfile.TemporaryFile() as errors, subprocess.Popen(
-            command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=errors) as process:
+            command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=errors,
+            env={**os.environ, **environment}) as process:
         for record in records(process.stdout):
             ended[record.line] = record
             progress.show(f"testing: {len(ended)} of {len(names)}")

@@ -1,0 +1,91 @@
+"""What the compiler and the linker say, as far as it is about the student's file."""
+
+from __future__ import annotations
+
+import re
+from typing import NamedTuple, Sequence
+
+from .labs import Lab
+
+_MESSAGE = re.compile(r"(\S[^:]*):(\d+):(?:\d+:)? (warning|(?:fatal )?error|note): (.+)")
+_BEGINS = re.compile(r"In file included from |In .*(?:function|constructor|destructor)|"
+                     r"\S+: (?:In |At global scope)")
+_UNDEFINED = re.compile(r"undefined (?:reference to|symbol:|reference due to [^:]+:) *[`']?"
+                        r"(?:\w+::)*(\w+)\(")
+_SHOWN = 5
+
+
+class Remark(NamedTuple):
+    """A warning or an error, and the line of the student's file that it comes from."""
+
+    line: int
+    text: str
+
+
+def remarks(diagnostics: str, stub: str) -> list[Remark]:
+    """Each once, in order. Where a remark is about a header, the line is the one that used it: the
+    last of the student's that stands before the remark, as "inlined from", or after it, as a note.
+
+    stub  the file's name, as in impulse_response.cpp
+    """
+    of_stub = re.compile(rf"(?:^|[\s/]){re.escape(stub)}:(\d+)")
+    found: list[Remark] = []
+    used_at = 0
+    homeless = ""
+    for text in diagnostics.splitlines():
+        message = _MESSAGE.match(text)
+        place = of_stub.search(text)
+        if message and message.group(3) != "note":
+            own = place if place and place.start() < message.start(2) else None
+            line = int(own.group(1)) if own else used_at
+            homeless = "" if line else f"{message.group(3)}: {message.group(4)}"
+            if line:
+                found.append(Remark(line, f"{message.group(3)}: {message.group(4)}"))
+            used_at = 0
+        elif _BEGINS.match(text):
+            used_at = 0
+            homeless = ""
+        elif place and message and homeless:
+            found.append(Remark(int(place.group(1)), homeless))
+            homeless = ""
+        elif place and not message or place and "required from" in text:
+            used_at = int(place.group(1))
+    return list(dict.fromkeys(found))
+
+
+def of_student(lab: Lab, diagnostics: str) -> list[str]:
+    """Place, words and source line of what the student's own file is told, before all the rest."""
+    try:
+        source = lab.stub.read_text(encoding="utf-8", errors="replace").splitlines()
+    except OSError:
+        source = []
+    lines = []
+    all_of_them = remarks(diagnostics, lab.stub.name)
+    for remark in all_of_them[:_SHOWN]:
+        lines.append(f"labs/{lab.folder}/{lab.stub.name}:{remark.line}: {remark.text}")
+        if 0 < remark.line <= len(source):
+            lines.append(f"    {source[remark.line - 1].strip()}")
+    if len(all_of_them) > _SHOWN:
+        lines.append(f"and {len(all_of_them) - _SHOWN} more in {lab.stub.name}")
+    return lines
+
+
+def missing_functions(lab: Lab, diagnostics: str) -> list[str]:
+    """A line for each function of the contract that the linker looked for in vain."""
+    lines = []
+    for function in dict.fromkeys(_UNDEFINED.findall(diagnostics)):
+        declared = lab.declaration(function)
+        step = lab.step_of(function)
+        if declared and step:
+            lines.append(f"{function} of step {step} is missing or differs from the header "
+                         f"({declared})")
+    return lines
+
+
+def told(lab: Lab, diagnostics: str, limit: int) -> Sequence[str]:
+    """The student's own lines first, then all of it, cut from the end."""
+    own = of_student(lab, diagnostics)
+    rest = diagnostics if len(diagnostics) <= limit else diagnostics[:limit].rsplit("\n", 1)[0]
+    left = diagnostics[len(rest):].count("\n")
+    more = [f"... {left} more lines in build/dev/build.log"] if left else []
+    return [*own, *([""] if own else []), *rest.splitlines(), *more]

@@ -55,6 +55,10 @@ class Runner(unittest.TestCase):
             self.assertEqual(told, ["| step    1.1 answer", "| case    2 of 5",
                                     "| input   depth = 0.1;"], ways[record.line])
 
+    def test_a_call_outside_of_trials_is_named_by_its_function(self) -> None:
+        output = run("1.2|Asked by no trial it crashes")[0].output
+        self.assertIn("| step    1.2 answer\n", output)
+
     def test_endless_output_and_hunger_for_memory_are_bounded(self) -> None:
         ended = run("1.1|It prints without end", "1.1|It takes all memory")
         self.assertEqual((ended[0].end, ended[0].value), ("signal", signal.SIGXFSZ))

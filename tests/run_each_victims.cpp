@@ -33,6 +33,16 @@ TEST_CASE("It loops") {
   }
 }
 
+namespace lab::victims {
+
+int answer(int depth);  // as a contract declares it
+
+int answer(int depth) { return depth < 0 ? 0 : raise(SIGSEGV) + answer(-1); }
+
+}  // namespace lab::victims
+
+TEST_CASE("Asked by no trial it crashes") { CHECK(lab::victims::answer(1) == 1); }
+
 namespace {
 
 [[noreturn]] int loop() {

@@ -60,8 +60,7 @@ function(add_lab name)
   _add_cases(student student)
   if(TUMBLE_SHARED)
     _add_closer_look(debug -O0 -g)
-    _add_closer_look(sanitized -O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all
-      -ftrivial-auto-var-init=pattern)  # what is never set is far from right
+    _add_closer_look(sanitized -O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all)
   endif()
   if(EXISTS "${solutions}")
     _add_answer(reference "${solutions}/${name}.cpp" project_flags PICTURES)

@@ -22,6 +22,9 @@ endif()
 target_compile_definitions(base_flags INTERFACE $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
 if(TUMBLE_SHARED)
   target_compile_options(base_flags INTERFACE -fPIC)  # all alike: they share precompiled headers
+  # A number that is never set is wrong at every run, and one that tests know; see trial.hpp.
+  target_compile_options(base_flags INTERFACE -ftrivial-auto-var-init=pattern)
+  target_compile_definitions(base_flags INTERFACE EIGEN_INITIALIZE_MATRICES_BY_NAN)
 endif()
 if(TUMBLE_SANITIZE)
   set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)

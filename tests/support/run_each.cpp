@@ -8,12 +8,17 @@
 // LINE counts from 0; END VALUE is "exit code", "signal number", "timeout 0", "waits 0" (it slept)
 // or "skipped 0"; SECONDS are of computing, so a busy machine makes no case run out of time. A case
 // that crashes, leaves or runs out of time first tells what it asked the answer, see UnderWay.
+#include <cxxabi.h>
+#include <dlfcn.h>
+#include <execinfo.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -57,24 +62,56 @@ struct Child {
   double told = 0.0;          ///< when
 };
 
+std::string step_under_way;
+
+/// The function of the contract that runs, its last name alone, or "" where none does.
+std::string called_function() {
+  std::array<void*, 256> frames{};
+  const int count = backtrace(frames.data(), static_cast<int>(frames.size()));
+  Dl_info program{};
+  dladdr(reinterpret_cast<void*>(&called_function), &program);
+  for (int i = count - 1; i >= 0; --i) {  // the outermost: what the test called
+    Dl_info place{};
+    // A call that never returns may be a function's last instruction: so one byte back.
+    const char* const inside = static_cast<char*>(frames[static_cast<std::size_t>(i)]) - 1;
+    if (dladdr(inside, &place) == 0 || place.dli_sname == nullptr ||
+        place.dli_fbase != program.dli_fbase) {
+      continue;
+    }
+    char* const whole = abi::__cxa_demangle(place.dli_sname, nullptr, nullptr, nullptr);
+    std::string name = whole == nullptr ? "" : whole;
+    std::free(whole);
+    name.resize(std::min(name.find('('), name.size()));
+    if (name.starts_with("lab::")) return name.substr(name.rfind(':') + 1);
+  }
+  return "";
+}
+
+/// What was asked: the trial under way, or else the function that runs.
+void tell() {
+  if (tests::UnderWay::tell_of_newest()) return;
+  const std::string function = called_function();
+  if (!function.empty()) std::cerr << "| step    " << step_under_way << ' ' << function << '\n';
+}
+
 void tell_and_leave(int /*signal*/) {
-  tests::UnderWay::tell_of_newest();
+  tell();
   _exit(EXIT_FAILURE);
 }
 
 /// After Catch2's handler, which tells the signal and raises it again.
 void tell_and_crash(int number) {
-  tests::UnderWay::tell_of_newest();
+  tell();
   std::signal(number, SIG_DFL);
   std::raise(number);
 }
 
 /// A case that ends before its end tells what it asked.
 void tell_when_ended() {
-  std::atexit([] { tests::UnderWay::tell_of_newest(); });
+  std::atexit(tell);
   std::signal(SIGXCPU, tell_and_leave);
   if (__sanitizer_set_death_callback != nullptr) {  // they tell of crashes
-    __sanitizer_set_death_callback([] { tests::UnderWay::tell_of_newest(); });
+    __sanitizer_set_death_callback(tell);
     return;
   }
   static char stack[1U << 18U];  // of its own: the crash may be an overflow of the other
@@ -146,7 +183,7 @@ class Runner {
     }
     const int output = memfd_create("output", MFD_CLOEXEC);
     const pid_t pid = fork();
-    if (pid == 0) run_case(cases_[line].name, output);
+    if (pid == 0) run_case(cases_[line], output);
     if (pid < 0 || output < 0) {
       std::cerr << "no process for a case: " << std::strerror(errno) << '\n';
       std::exit(EXIT_FAILURE);
@@ -154,7 +191,7 @@ class Runner {
     running_.push_back({line, pid, output});
   }
 
-  [[noreturn]] void run_case(const std::string& name, int output) {
+  [[noreturn]] void run_case(const Case& one, int output) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     setpgid(0, 0);
     sigset_t none;
@@ -169,9 +206,10 @@ class Runner {
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, most_output);
     if (__sanitizer_set_death_callback == nullptr) limit(RLIMIT_AS, most_memory);
+    step_under_way = one.step;
     tell_when_ended();
     std::vector<std::string> arguments = arguments_;
-    arguments.insert(arguments.begin() + 1, name);
+    arguments.insert(arguments.begin() + 1, one.name);
     std::exit(run_catch(std::move(arguments)));
   }
 
@@ -257,6 +295,7 @@ extern "C" int __wrap_main(int argc, char** argv) {  // NOLINT
     std::cerr << "usage: PROGRAM --each CASES JOBS, with a case in CASES and a job at least\n";
     return EXIT_FAILURE;
   }
+  called_function();  // what this loads at first, no child must
   sigset_t child_ended;
   sigemptyset(&child_ended);
   sigaddset(&child_ended, SIGCHLD);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <concepts>
 #include <exception>
 #include <functional>
@@ -29,8 +30,8 @@ struct Suspect {
 };
 
 /// One input on which a contract function is judged. When the judgement fails it explains itself on
-/// stderr, a line a fact, each after "| ": step, case, input, got, wanted, error, bound, likely. Where
-/// the answer crashes or never returns, run_each has it tell step, case and input.
+/// stderr, a line a fact, each after "| ": step, case, input, got, wanted, error, bound, likely.
+/// Where the answer crashes or never returns, run_each has it tell step, case and input.
 class Trial : private UnderWay {
  public:
   /// step_and_function  as the stub throws it: "1.2 point_velocity"
@@ -139,7 +140,11 @@ class Trial : private UnderWay {
   }
 
  private:
-  static constexpr const char* not_finite = "not finite: NaN and infinity are never right here";
+  /// What the compiler puts where the answer's code puts nothing (-ftrivial-auto-var-init).
+  static constexpr double never_set = std::bit_cast<double>(0xFEFEFEFEFEFEFEFEULL);
+  static constexpr const char* not_finite =
+      "not finite: NaN and infinity are never right here; vectors and matrices are NaN until they "
+      "are set";
 
   template <typename Value>
   void keep(const std::string& name, const Value& value) {
@@ -174,8 +179,11 @@ class Trial : private UnderWay {
     if (!part_.empty()) lines += "| note    this is about " + part_ + "\n";
     lines += "| got     " + got + "\n| wanted  " + wanted + "\n| error   " + error + "\n";
     if (!bound.empty()) lines += "| bound   " + bound + "\n";
-    if (stories.size() == 1 && !stories.front().empty())
+    if (got.find(text(never_set)) != std::string::npos) {
+      lines += "| likely  a number that was never set: a variable without its first value\n";
+    } else if (stories.size() == 1 && !stories.front().empty()) {
       lines += "| likely  " + stories.front() + "\n";
+    }
     std::cerr << lines << std::flush;
   }
 

@@ -11,11 +11,15 @@ class UnderWay {
   UnderWay() { under_way.push_back(this); }
   UnderWay(const UnderWay& /*other*/) { under_way.push_back(this); }
   UnderWay& operator=(const UnderWay&) = default;
-  virtual ~UnderWay() { under_way.erase(std::find(under_way.rbegin(), under_way.rend(), this).base() - 1); }
+  virtual ~UnderWay() {
+    under_way.erase(std::find(under_way.rbegin(), under_way.rend(), this).base() - 1);
+  }
 
-  /// The newest one tells of itself on stderr; where none is under way, nothing is told.
-  static void tell_of_newest() {
-    if (!under_way.empty()) under_way.back()->tell();
+  /// The newest one tells of itself on stderr; false where none is under way.
+  static bool tell_of_newest() {
+    if (under_way.empty()) return false;
+    under_way.back()->tell();
+    return true;
   }
 
  private:

@@ -13,6 +13,8 @@ _BEGINS = re.compile(r"In file included from |In .*(?:function|constructor|destr
 _UNDEFINED = re.compile(r"undefined (?:reference to|symbol:|reference due to [^:]+:) *[`']?"
                         r"(?:\w+::)*(\w+)\(")
 _SHOWN = 5
+_LONG = 120
+_BESIDE = 1200
 
 
 class Remark(NamedTuple):
@@ -50,7 +52,14 @@ def remarks(diagnostics: str, stub: str) -> list[Remark]:
             homeless = ""
         elif place and not message or place and "required from" in text:
             used_at = int(place.group(1))
-    return list(dict.fromkeys(found))
+    first = {(remark.line, _kind(remark.text)): remark for remark in reversed(found)}
+    return list(first.values())[::-1]
+
+
+def _kind(text: str) -> str:
+    """Of a warning its flag, as one mistake may be told for each entry of a matrix."""
+    flag = re.search(r"\[-W[^]]+\]$", text)
+    return flag.group(0) if flag else text
 
 
 def of_student(lab: Lab, diagnostics: str) -> list[str]:
@@ -62,7 +71,8 @@ def of_student(lab: Lab, diagnostics: str) -> list[str]:
     lines = []
     all_of_them = remarks(diagnostics, lab.stub.name)
     for remark in all_of_them[:_SHOWN]:
-        lines.append(f"labs/{lab.folder}/{lab.stub.name}:{remark.line}: {remark.text}")
+        text = remark.text if len(remark.text) <= _LONG else f"... {remark.text[-_LONG:]}"
+        lines.append(f"labs/{lab.folder}/{lab.stub.name}:{remark.line}: {text}")
         if 0 < remark.line <= len(source):
             lines.append(f"    {source[remark.line - 1].strip()}")
     if len(all_of_them) > _SHOWN:
@@ -83,8 +93,15 @@ def missing_functions(lab: Lab, diagnostics: str) -> list[str]:
 
 
 def told(lab: Lab, diagnostics: str, limit: int) -> Sequence[str]:
-    """The student's own lines first, then all of it, cut from the end."""
-    own = of_student(lab, diagnostics)
+    """The student's own lines first, then the rest, cut from the end; as the compiler says it where
+    all of it is about the student's file."""
+    messages = [match for match in map(_MESSAGE.match, diagnostics.splitlines())
+                if match and match.group(3) != "note"]
+    own: list[str] = []
+    if any(not match.group(1).endswith(lab.stub.name) for match in messages):
+        own = of_student(lab, diagnostics)
+    if own:
+        limit = _BESIDE
     rest = diagnostics if len(diagnostics) <= limit else diagnostics[:limit].rsplit("\n", 1)[0]
     left = diagnostics[len(rest):].count("\n")
     more = [f"... {left} more lines in build/dev/build.log"] if left else []

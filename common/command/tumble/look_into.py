@@ -18,15 +18,15 @@ _SHOWN = 8
 def run_one(root: Path, lab: Lab, words: str, debug: bool) -> int:
     """The case runs as it is, without a limit of time: Ctrl-C ends it."""
     if debug and not shutil.which("gdb"):
-        raise Failure("gdb is missing, with which --debug looks into a case: install the package gdb")
+        raise Failure("gdb is missing, which --debug needs: install the package gdb")
     with build.locked(root, "dev"):
         program = answer.compiled(root, lab, "debug" if debug else "")
     step, title = find_case(program.with_name("cases.txt").read_text(encoding="utf-8"), words)
     say(f"step {step}: {title}", "")
     sys.stdout.flush()
     if debug:
-        function = f"lab::{lab.name}::"
-        places = [text for name in lab.functions_of(step) for text in ("-ex", f"break {function}{name}")]
+        places = [text for function in lab.functions_of(step)
+                  for text in ("-ex", f"break lab::{lab.name}::{function}")]
         os.execvp("gdb", ["gdb", "-q", *places, "-ex", "run", "--args", str(program), title])
     code = subprocess.run([str(program), title], cwd=root).returncode
     if code < 0:
@@ -42,7 +42,7 @@ def find_case(listed: str, words: str) -> tuple[str, str]:
     if len(found) == 1:
         return found[0]
     if not found:
-        raise Failure(f"no case holds {printable(words)}; a failure's title, or a part of it, is one",
+        raise Failure(f"no case holds {printable(words)}; want a failure's title, or a part of it",
                       BAD_USAGE)
     listing = [f"  {step}  {title}" for step, title in found[:_SHOWN]]
     more = [f"  and {len(found) - _SHOWN} more"] if len(found) > _SHOWN else []

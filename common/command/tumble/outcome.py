@@ -73,7 +73,7 @@ def printed(output: str) -> list[str]:
     """What the student's code printed: all that is neither the test's words nor Catch2's."""
     before = _CATCH_REPORT.split(output, 1)[0]
     return [line for line in before.strip("\n").splitlines()
-            if not _EXPLANATION.fullmatch(line.rstrip()) and not _OF_CATCH.match(line)]
+            if not any(words.match(line) for words in (_EXPLANATION, _OF_CATCH, _ASSERTION))]
 
 
 def assertion(output: str) -> Optional[str]:

@@ -1,5 +1,4 @@
-"""What passes its tests may still do what C++ does not define, and fail elsewhere: an answer that is
-done runs its tests once more, compiled with the address and undefined-behaviour sanitizers."""
+"""The sanitizers' look at an answer that passes its tests, as what C++ does not define may do."""
 
 from __future__ import annotations
 
@@ -17,10 +16,10 @@ _ADDRESS = re.compile(r"ERROR: AddressSanitizer: ([\w-]+)")
 _UNDEFINED = re.compile(r"^(\S+?):(\d+):\d+: runtime error: (.+)$", re.MULTILINE)
 _OPTIONS = {"ASAN_OPTIONS": "detect_leaks=0:detect_stack_use_after_return=1"}
 _MEANING = {
-    "heap-use-after-free": "memory is used that has been given back: a reference into a vector that "
-                           "has grown since?",
-    "stack-use-after-scope": "a variable is used whose block has ended: an auto that refers to what "
-                             "a function returned?",
+    "heap-use-after-free": "memory is used that has been given back: a reference into a vector "
+                           "that has grown since?",
+    "stack-use-after-scope": "a variable is used whose block has ended: an auto that refers to "
+                             "what a function returned?",
     "stack-use-after-return": "a variable is used whose function has returned: a reference to it "
                               "that is returned?",
     "heap-buffer-overflow": "an index is beyond what a vector holds",
@@ -51,10 +50,10 @@ def first_finding(root: Path, lab: Lab) -> tuple[bool, list[Finding]]:
     with Progress() as progress:
         progress.show("looking for undefined behaviour")
         try:
-            program = answer.compiled(root, lab, "sanitized")
-        except Failure:  # it has been compiled without them: they are missing here
+            cases = runner.run_cases(answer.compiled(root, lab, "sanitized"),
+                                     f"{lab.folder}/student", _OPTIONS)
+        except (Failure, OSError):  # without them it has been compiled, and it ran: none are here
             return False, []
-        cases = runner.run_cases(program, f"{lab.folder}/student", _OPTIONS)
     findings = [_finding(lab, case) for case in cases
                 if not case.passed and case.reason not in (runner.TIMEOUT, runner.SKIPPED)]
     if not findings and now:

@@ -1,18 +1,20 @@
 #include "common/obj_file.hpp"
 
-#include <tiny_obj_loader.h>
-
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
-#include <sstream>
+#include <istream>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 
+#include "common/polygon.hpp"
+
 namespace common {
 namespace {
 
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr std::string_view blank = " \t\r";
 constexpr std::size_t longest_shown = 40;
 
@@ -26,6 +28,7 @@ std::string shown(std::string_view word) {
 }
 
 std::vector<std::string_view> words_of(std::string_view line) {
+  line = line.substr(0, line.find('#'));
   std::vector<std::string_view> words;
   while (true) {
     const std::size_t begin = line.find_first_not_of(blank);
@@ -37,110 +40,140 @@ std::vector<std::string_view> words_of(std::string_view line) {
   }
 }
 
-bool is_finite_number(std::string_view word) {
-  if (!word.empty() && word.front() == '+') word.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return error == std::errc() && end == word.data() + word.size() && std::isfinite(value);
+/// All of the word as a number; false where it is none, or is beyond the type's range.
+template <typename Number>
+bool reads(std::string_view word, Number& number) {
+  if (word.size() > 1 && word.front() == '+' && word[1] != '-') word.remove_prefix(1);
+  const char* const end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(word.data(), end, number);
+  return error == std::errc() && stop == end;
 }
 
-/// One to three whole numbers with slashes between, the first there and none zero.
-bool is_corner(std::string_view word) {
-  for (int part = 0; part < 3; ++part) {
-    const std::size_t slash = word.find('/');
-    const std::string_view number = word.substr(0, slash);
-    if (part == 0 || !number.empty()) {
-      int index = 0;
-      const auto [end, error] =
-          std::from_chars(number.data(), number.data() + number.size(), index);
-      if (error != std::errc() || end != number.data() + number.size() || index == 0) return false;
-    }
-    if (slash == std::string_view::npos) return true;
-    word.remove_prefix(slash + 1);
-  }
-  return false;
+/// The nearest double, which is 0 for what is too small for any other.
+bool reads_coordinate(std::string_view word, double& number) {
+  if (reads(word, number)) return std::isfinite(number);
+  const std::string text(word);
+  char* stop = nullptr;
+  number = std::strtod(text.c_str(), &stop);
+  const bool is_decimal = text.find_first_not_of("+-.0123456789eE") == std::string::npos;
+  return is_decimal && stop == text.c_str() + text.size() && !text.empty() &&
+         std::abs(number) < 1.0;
 }
 
-/// What of a file is handed to the reader, which takes what it cannot read for zero.
-class Lines {
+/// Reads a file line by line; faces are made in the end, when all vertices are known.
+class Reader {
  public:
-  Lines(std::istream& stream, std::string name) : name_(std::move(name)) {
+  explicit Reader(std::string name) : name_(std::move(name)) {}
+
+  TriangleMesh read(std::istream& stream) {
     std::string line;
     for (std::size_t number = 1; std::getline(stream, line); ++number) {
-      take(line, number);
-      text_ += '\n';  // a line that is passed over still counts
+      number_ = number;
+      if (number == 1 && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
+      for (std::string more; goes_on(line) && std::getline(stream, more); ++number) line += more;
+      take(words_of(line));
     }
     if (stream.bad()) throw std::runtime_error(name_ + ": cannot be read");
+    for (const Face& face : faces_) add(face);
+    if (mesh_.triangles.empty()) throw std::runtime_error(name_ + ": it has no triangle");
+    return std::move(mesh_);
   }
 
-  [[nodiscard]] const std::string& text() const { return text_; }
-  [[nodiscard]] std::size_t line_of_face(std::size_t face) const { return face_lines_[face]; }
-
  private:
-  void take(const std::string& line, std::size_t number) {
-    const std::vector<std::string_view> words = words_of(line);
-    if (words.empty() || (words[0] != "v" && words[0] != "f")) return;
-    const auto fail = [&](const std::string& why) {
-      throw std::runtime_error(name_ + ":" + std::to_string(number) + ": " + why);
-    };
-    const bool is_face = words[0] == "f";
-    if (is_face && words.size() != 4) {
-      fail("want a triangle, got a face of " + std::to_string(words.size() - 1) + " corners");
+  struct Face {
+    std::size_t line;
+    std::vector<long long> corners;  ///< from 1
+  };
+
+  /// Cuts off the "\" by which a line goes on in the next.
+  static bool goes_on(std::string& line) {
+    const std::size_t last = line.find_last_not_of('\r');
+    if (last == std::string::npos || line[last] != '\\') return false;
+    line.erase(last);
+    line += ' ';
+    return true;
+  }
+
+  void take(const std::vector<std::string_view>& words) {
+    if (words.empty()) return;
+    if (words[0] == "v") take_vertex(words);
+    if (words[0] == "f") take_face(words);
+  }
+
+  void take_vertex(const std::vector<std::string_view>& words) {
+    if (words.size() < 4) {
+      fail(number_, "want three coordinates, got " + std::to_string(words.size() - 1));
     }
-    if (words.size() < 4) fail("want three coordinates, got " + std::to_string(words.size() - 1));
-    for (std::size_t i = 1; i < 4; ++i) {
-      if (is_face && !is_corner(words[i])) fail("this is no index: " + shown(words[i]));
-      if (!is_face && !is_finite_number(words[i])) {
-        fail("this is no finite number: " + shown(words[i]));
+    Vec3 vertex = Vec3::Zero();
+    for (std::size_t i = 1; i < words.size(); ++i) {
+      double number = 0.0;
+      if (!reads_coordinate(words[i], number)) {
+        fail(number_, "this is no finite number: " + shown(words[i]));
       }
+      if (i < 4) vertex[static_cast<int>(i) - 1] = number;
     }
-    if (is_face) face_lines_.push_back(number);
-    for (std::size_t i = 0; i < 4; ++i) (text_ += words[i]) += ' ';
+    mesh_.vertices.push_back(vertex);
+  }
+
+  void take_face(const std::vector<std::string_view>& words) {
+    if (words.size() < 4) {
+      fail(number_, "want three corners or more, got " + std::to_string(words.size() - 1));
+    }
+    Face face{number_, {}};
+    for (std::size_t i = 1; i < words.size(); ++i) face.corners.push_back(corner(words[i]));
+    faces_.push_back(face);
+  }
+
+  /// The vertex of "v", "v/t", "v//n" or "v/t/n", where t and n may be left out.
+  [[nodiscard]] long long corner(std::string_view word) const {
+    long long vertex = 0;
+    std::string_view rest = word;
+    for (int part = 0; part < 3; ++part) {
+      const std::size_t slash = rest.find('/');
+      const std::string_view text = rest.substr(0, slash);
+      long long number = 0;
+      const bool is_number = reads(text, number) && number != 0;
+      if (!is_number && (part == 0 || !text.empty())) break;
+      if (part == 0) vertex = number;
+      if (slash == std::string_view::npos) {
+        if (vertex > 0) return vertex;
+        const auto count = static_cast<long long>(mesh_.vertices.size());
+        if (vertex + count >= 0) return vertex + count + 1;
+        fail(number_, "vertex " + std::to_string(vertex) + " of " + std::to_string(count));
+      }
+      rest.remove_prefix(slash + 1);
+    }
+    fail(number_, "this is no index: " + shown(word));
+  }
+
+  void add(const Face& face) {
+    std::vector<std::uint32_t> corners;
+    for (const long long vertex : face.corners) {
+      if (vertex > static_cast<long long>(mesh_.vertices.size())) {
+        fail(face.line,
+             "vertex " + std::to_string(vertex) + " of " + std::to_string(mesh_.vertices.size()));
+      }
+      corners.push_back(static_cast<std::uint32_t>(vertex - 1));
+    }
+    for (const auto& triangle : triangulated(mesh_.vertices, std::move(corners))) {
+      mesh_.triangles.push_back(triangle);
+    }
+  }
+
+  [[noreturn]] void fail(std::size_t line, const std::string& why) const {
+    throw std::runtime_error(name_ + ":" + std::to_string(line) + ": " + why);
   }
 
   std::string name_;
-  std::string text_;
-  std::vector<std::size_t> face_lines_;
+  std::size_t number_ = 0;
+  TriangleMesh mesh_;
+  std::vector<Face> faces_;
 };
-
-/// Of several lines the first, without what ends it.
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 }  // namespace
 
 TriangleMesh read_obj(std::istream& stream, const std::string& name) {
-  const Lines lines(stream, name);
-  std::istringstream text(lines.text());
-  tinyobj::attrib_t read;
-  std::vector<tinyobj::shape_t> shapes;
-  std::vector<tinyobj::material_t> materials;
-  std::string warning;
-  std::string error;
-  if (!tinyobj::LoadObj(&read, &shapes, &materials, &warning, &error, &text, nullptr, false)) {
-    throw std::runtime_error(name + ": " + first_line(error));
-  }
-  TriangleMesh mesh;
-  for (std::size_t i = 0; i + 2 < read.vertices.size(); i += 3) {
-    mesh.vertices.emplace_back(read.vertices[i], read.vertices[i + 1], read.vertices[i + 2]);
-  }
-  for (const tinyobj::shape_t& shape : shapes) {
-    const std::vector<tinyobj::index_t>& corners = shape.mesh.indices;
-    for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
-      std::array<std::uint32_t, 3> triangle{};
-      for (std::size_t k = 0; k < 3; ++k) {
-        const int index = corners[i + k].vertex_index;
-        if (index < 0 || static_cast<std::size_t>(index) >= mesh.vertices.size()) {
-          throw std::runtime_error(
-              name + ":" + std::to_string(lines.line_of_face(mesh.triangles.size())) + ": vertex " +
-              std::to_string(index + 1LL) + " of " + std::to_string(mesh.vertices.size()));
-        }
-        triangle[k] = static_cast<std::uint32_t>(index);
-      }
-      mesh.triangles.push_back(triangle);
-    }
-  }
-  if (mesh.triangles.empty()) throw std::runtime_error(name + ": it has no triangle");
-  return mesh;
+  return Reader(name).read(stream);
 }
 
 TriangleMesh read_obj(const std::string& path) {

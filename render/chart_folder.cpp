@@ -51,7 +51,7 @@ std::vector<Written> written(const ChartSet& set) {
 }
 
 void add_files(std::set<std::string>& files, const std::string& name) {
-  for (const char* ending : {".csv", ".gp", ".svg", ".png"}) files.insert(name + ending);
+  for (const char* ending : {".csv", ".gp", ".svg", ".png", ".pdf"}) files.insert(name + ending);
 }
 
 /// What the folder may hold: these charts and those that its own index names.
@@ -81,25 +81,47 @@ std::string content(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
+/// gnuplot frames the words that count in empty lines, the script's line and a pointer to it.
+std::string one_line(const std::string& text) {
+  std::string line;
+  for (const char c : text) line += c == '\n' || c == '\t' ? ' ' : c;
+  const std::size_t last = line.find_last_not_of(' ');
+  return line.substr(0, last == std::string::npos ? 0 : last + 1);
+}
+
 /// gnuplot leaves an empty picture behind where a script is wrong.
 bool is_drawn(const fs::path& picture) {
   std::error_code error;
   return fs::file_size(picture, error) > 0 && !error;
 }
 
-/// Whether there is a gnuplot to draw with.
-bool draw(const std::string& name, const StagedFolder& staged, const fs::path& folder) {
+struct Drawn {
+  bool has_gnuplot = true;
+  std::string trouble;  ///< the first script that gnuplot could not draw, and why
+};
+
+/// What cannot be drawn leaves no picture behind.
+void draw(const std::string& name, const StagedFolder& staged, const fs::path& folder,
+          Drawn& drawn) {
   const std::string log = "gnuplot.log";
   const std::optional<int> code = run_gnuplot(name + ".gp", log, staged.staged());
   const std::string said = content(staged.file(log));
   fs::remove(staged.file(log));
-  if (!code) return false;
-  if (*code != 0 || !is_drawn(staged.file(name + ".svg")) ||
-      !is_drawn(staged.file(name + ".png"))) {
-    throw std::runtime_error("gnuplot could not draw " + folder.string() + "/" + name +
-                             ".gp: " + said);
+  if (!code) {
+    drawn.has_gnuplot = false;
+    return;
   }
-  return true;
+  bool all_drawn = *code == 0;
+  for (const char* const ending : {".svg", ".png", ".pdf"}) {
+    const fs::path picture = staged.file(name + ending);
+    if (is_drawn(picture)) continue;
+    all_drawn = false;
+    fs::remove(picture);
+  }
+  if (!all_drawn && drawn.trouble.empty()) {
+    drawn.trouble =
+        "gnuplot could not draw " + (folder / (name + ".gp")).string() + ": " + one_line(said);
+  }
 }
 
 }  // namespace
@@ -108,15 +130,16 @@ bool write_charts(const ChartSet& set, const fs::path& folder) {
   const std::vector<Written> all = written(set);
   const std::set<std::string> own = own_files(all, folder);
   StagedFolder staged(folder, [&](const std::string& name) { return own.count(name) == 1; });
-  bool drawn = true;
+  Drawn drawn;
   for (const Written& chart : all) {
     write_file_atomically(staged.file(chart.name + ".csv"), chart.csv);
     write_file_atomically(staged.file(chart.name + ".gp"), chart.script);
-    drawn = drawn && draw(chart.name, staged, folder);
+    if (drawn.has_gnuplot) draw(chart.name, staged, folder, drawn);
   }
   write_file_atomically(staged.file(index_name), index_of(all));
-  staged.publish();
-  return drawn;
+  staged.publish();  // first: what was measured is kept whatever becomes of the drawing
+  if (!drawn.trouble.empty()) throw std::runtime_error(drawn.trouble);
+  return drawn.has_gnuplot;
 }
 
 }  // namespace render

@@ -176,8 +176,8 @@ std::string chart_script(const Chart& chart) {
     plots += (plots.empty() ? "" : ", \\\n     ") + curve(series, i) + slope(series);
   }
   s += formatted("top = %g\n", 0.8 * axes.error.high);
-  return s + svg_output(sheet) + "plot " + plots + "\n" + png_output(sheet) +
-         "replot\nunset output\n";
+  return s + svg_output(sheet) + "plot " + plots + "\n" + png_output(sheet) + "replot\n" +
+         pdf_output(sheet) + "replot\nunset output\n";
 }
 
 }  // namespace render

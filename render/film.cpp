@@ -57,9 +57,9 @@ void fit_to_film(FilmOptions& options, const Film& film) {
   std::ostringstream end;
   end << film.duration << " s";
   require(options.to <= film.duration, "--to lies after the film's end at " + end.str());
-  require(
-      options.from <= options.to,
-      "--from lies after " + std::string(options.to < film.duration ? "--to" : "the film's end"));
+  require(options.from <= options.to,
+          "--from lies after " + (options.to < film.duration ? std::string("--to")
+                                                             : "the film's end at " + end.str()));
 }
 
 int frames_of(const FilmOptions& options) {
@@ -105,15 +105,29 @@ std::string time_stamp(double time) {
   return out.str();
 }
 
+// The film's own times where all of it is shown; else as many, evenly over the part that is.
+std::vector<double> strip_times(const Film& film, const FilmOptions& options) {
+  if (film.strip_times.empty()) return {options.from};
+  if (options.from <= 0.0 && options.to >= film.duration) return film.strip_times;
+  std::vector<double> times{options.from};
+  const double length = options.to - options.from;
+  const std::size_t gaps = length > 0.0 ? film.strip_times.size() - 1 : 0;
+  for (std::size_t i = 1; i <= gaps; ++i) {
+    times.push_back(options.from + length * static_cast<double>(i) / static_cast<double>(gaps));
+  }
+  return times;
+}
+
 void draw_strip(Renderer& renderer, const Film& film, const FilmOptions& options,
                 const StagedFolder& folder) {
-  std::vector<double> times = film.strip_times;
-  if (times.empty()) times.push_back(options.from);
+  const std::vector<double> times = strip_times(film, options);
   PictureOptions picture;
   picture.quality = Quality::report;
   picture.white = options.picture.white;
   picture.height = 330;
-  const double aspect = tile_aspect(film);
+  const double aspect = options.is_sized
+                            ? static_cast<double>(options.picture.width) / options.picture.height
+                            : tile_aspect(film);
   picture.width = static_cast<int>(std::lround(picture.height * aspect));
   const Camera camera = camera_framing(film.bounds, film.towards_eye, aspect);
   std::vector<StripTile> tiles;

@@ -62,6 +62,7 @@ bool read_option(FilmOptions& options, const std::string& option, const std::str
     options.folder = value;
   } else if (option == "--size") {
     read_size(options.picture, option, value);
+    options.is_sized = true;
   } else if (option == "--fps") {
     options.frames_per_second = frame_rate(option, value);
   } else if (option == "--from") {

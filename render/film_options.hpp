@@ -13,8 +13,9 @@ struct FilmOptions {
   std::filesystem::path folder;
   PictureOptions picture;
   double frames_per_second = 25.0;
-  double from = 0.0;  ///< [s]
-  double to = -1.0;   ///< [s]; negative: the film's end
+  double from = 0.0;      ///< [s]
+  double to = -1.0;       ///< [s]; negative: the film's end
+  bool is_sized = false;  ///< a size is given: the strip's tiles have its shape, too
 };
 
 /// Reads the arguments that film_main describes. Throws std::invalid_argument with one line that

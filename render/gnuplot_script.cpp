@@ -180,6 +180,14 @@ std::string png_output(const Sheet& sheet) {
          sheet.name + ".png'\n";
 }
 
+/// 7 inches wide, so that letters are as large beside a report's text as in the SVG.
+std::string pdf_output(const Sheet& sheet) {
+  return formatted("set terminal pdfcairo size 7in,%.3fin font 'DejaVu Sans,13' fontscale 0.5 ",
+                   7.0 / picture_width * sheet.height) +
+         "linewidth 0.7 pointscale 0.5 rounded dashlength 2.2 background '#ffffff'\nset output '" +
+         sheet.name + ".pdf'\n";
+}
+
 Colour peer_colour(std::size_t index) {
   constexpr std::array tones{Colour{0.36F, 0.38F, 0.41F}, Colour{0.60F, 0.62F, 0.65F}};
   return tones.at(index % tones.size());

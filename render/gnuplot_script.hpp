@@ -58,9 +58,10 @@ std::string sheet_start(const Sheet& sheet);
 /// Title, subtitle and notes, as labels with the tags from 901 on.
 std::string sheet_words(const Sheet& sheet);
 
-/// `set terminal` and `set output` for NAME.svg and for NAME.png.
+/// `set terminal` and `set output` for NAME.svg, NAME.png and NAME.pdf.
 std::string svg_output(const Sheet& sheet);
 std::string png_output(const Sheet& sheet);
+std::string pdf_output(const Sheet& sheet);
 
 /// A height from the sheet's top as gnuplot's screen coordinate.
 double screen_height(const Sheet& sheet, double from_top);

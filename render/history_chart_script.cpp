@@ -172,8 +172,9 @@ std::string history_script(const HistoryChart& chart) {
       s += data_block(block_name(p, c), panel.curves[c], panel, value_axis(panel));
     }
   }
-  s += "do for [picture in 'svg png'] {\nif (picture eq 'svg') {\n" + svg_output(sheet) +
-       "} else {\n" + png_output(sheet) + "}\nset multiplot\nunset xlabel\n" + sheet_words(sheet);
+  s += "do for [picture in 'svg png pdf'] {\nif (picture eq 'svg') {\n" + svg_output(sheet) +
+       "}\nif (picture eq 'png') {\n" + png_output(sheet) + "}\nif (picture eq 'pdf') {\n" +
+       pdf_output(sheet) + "}\nset multiplot\nunset xlabel\n" + sheet_words(sheet);
   for (std::size_t p = 0; p < shown.panels.size(); ++p) {
     s += frame(shown, sheet, p) + direct_labels(shown, shown.panels[p]) + plot(shown.panels[p], p);
     s += "unset label\nunset arrow\n";

@@ -134,6 +134,32 @@ TEST_CASE("Errors of zero and without limit stand at the edges and are drawn", "
   CHECK(message_of([&] { write_chart(chart, folder.path / "chart"); }).empty());
 }
 
+TEST_CASE("A chart is drawn for the page and for print and as PDF", "[chart]") {
+  const TemporaryFolder folder;
+  const bool drawn = write_chart(sample(), folder.path / "chart");
+  for (const char* const file : {"chart.svg", "chart.png", "chart.pdf"}) {
+    CHECK(fs::exists(folder.path / "chart" / file) == drawn);
+  }
+}
+
+TEST_CASE("What was measured is kept where gnuplot cannot draw", "[chart]") {
+  const TemporaryFolder folder;
+  fs::create_directories(folder.path / "bin");
+  std::ofstream(folder.path / "bin/gnuplot") << "#!/bin/sh\necho line 7: unknown or ambiguous "
+                                                "terminal type >&2\ntouch chart.png\nexit 1\n";
+  fs::permissions(folder.path / "bin/gnuplot", fs::perms::owner_all);
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", ((folder.path / "bin").string() + ":" + path).c_str(), 1);
+  const std::string said = message_of([&] { write_chart(sample(), folder.path / "chart"); });
+  setenv("PATH", path.c_str(), 1);
+  CHECK(said == "gnuplot could not draw " + (folder.path / "chart/chart.gp").string() +
+                    ": line 7: unknown or ambiguous terminal type");
+  for (const char* const file : {"chart.csv", "chart.gp", "charts.txt"}) {
+    CHECK(fs::file_size(folder.path / "chart" / file) > 0);
+  }
+  CHECK(!fs::exists(folder.path / "chart/chart.png"));
+}
+
 TEST_CASE("A folder that cannot be written is one error and leaves nothing", "[chart]") {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "file") << "in the way";

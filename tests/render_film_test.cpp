@@ -86,6 +86,40 @@ TEST_CASE("A film appears whole with its facts and no frame of a longer one", "[
   CHECK(files_in(out.parent_path()) == 1);
 }
 
+TEST_CASE("The strip shows the part and the shape that are asked for", "[render_film]") {
+  const ScratchFolder scratch;
+  const std::filesystem::path out = scratch.path() / "film";
+  const auto strip_of = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"--out", out.string(), "--fps", "1", "--quality", "draft"});
+    std::vector<double> times;
+    const Outcome outcome = run(more, [&] {
+      render::Film film = falling_box();
+      film.scene_at = [&times, scene_at = film.scene_at](double time) {
+        times.push_back(time);
+        return scene_at(time);
+      };
+      return film;
+    });
+    INFO(outcome.said);
+    REQUIRE(outcome.code == 0);
+    return times;
+  };
+  using Times = std::vector<double>;
+  CHECK(strip_of({"--size", "64x64"}) == Times{0.0, 1.0, 0.0, 0.5});  // frames, then the strip
+  const int square = tests::read_png(out / "strip.png").width;
+  CHECK(strip_of({"--size", "128x64"}) == Times{0.0, 1.0, 0.0, 0.5});
+  CHECK(tests::read_png(out / "strip.png").width > square + 600);  // two tiles, each wider by 330
+  CHECK(strip_of({"--from", "0.25"}) == Times{0.25, 0.25, 1.0});
+  CHECK(strip_of({"--from", "0.25", "--to", "0.75"}) == Times{0.25, 0.25, 0.75});
+  CHECK(strip_of({"--from", "0.5", "--to", "0.5"}) == Times{0.5, 0.5});
+}
+
+TEST_CASE("A start after the end of the film is told where that is", "[render_film]") {
+  const Outcome outcome = run({"--out", "/nowhere/film", "--from", "99"});
+  CHECK(outcome.code != 0);
+  CHECK(outcome.said == "error: --from lies after the film's end at 1 s\n");
+}
+
 TEST_CASE("A film that fails leaves the folder as it was", "[render_film]") {
   const ScratchFolder scratch;
   const std::filesystem::path out = scratch.path() / "film";

@@ -10,12 +10,6 @@ message(STATUS "Catch2 ${Catch2_VERSION}")
 # Exact references and oracles of the tests.
 find_package(Boost 1.74 REQUIRED)
 
-# Reads OBJ meshes, which so far only the proof does.
-find_path(TINYOBJ_INCLUDE_DIR tiny_obj_loader.h)
-if(TUMBLE_PROOF AND NOT TINYOBJ_INCLUDE_DIR)
-  message(FATAL_ERROR "tiny_obj_loader.h is missing: install libtinyobjloader-dev")
-endif()
-
 # Timings of the charts and of the renderer.
 find_package(benchmark REQUIRED)
 find_package(Threads REQUIRED)

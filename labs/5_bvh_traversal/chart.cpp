@@ -1,8 +1,10 @@
 // Culling against computing time, for meshes of a thousand to a million triangles: how many pairs
-// of triangles are tested for each that meets, and how long a query takes.
+// of triangles are tested for each that meets, and how long a query takes. With --mesh FILE.obj,
+// the same of that mesh, or of two.
 #include <map>
 
 #include "chart_trees.hpp"
+#include "own_meshes.hpp"
 #include "render/chart_program.hpp"
 
 using namespace lab::bvh_traversal;
@@ -153,6 +155,27 @@ render::ChartPlan full_plan(bool with_peers) {
   return plan;
 }
 
+/// A mesh of one's own and another, or the same again, turned and shifted a little.
+render::ChartPlan plan_of(const OwnMeshes& own) {
+  ShapePair shapes{own.fitted(0, 1.0), own.fitted(1, 1.0), turned()};
+  const auto size = static_cast<double>(shapes.a.triangles.size());
+  const auto problem = std::make_shared<Problem>([shapes](std::size_t) { return shapes; });
+  const std::vector<double> sizes{size};
+  std::vector<render::Method> all = methods(problem);
+  for (render::Method& method : all) method.parameters = sizes;
+  if (size * static_cast<double>(shapes.b.triangles.size()) <= 1e7) {
+    all.insert(all.begin(), method("brute force", palette::ink, problem, sizes, brute_force));
+  }
+  char subtitle[120];
+  std::snprintf(subtitle, sizeof subtitle,
+                "%zu and %zu triangles, the second turned: each tree once",
+                shapes.a.triangles.size(), shapes.b.triangles.size());
+  render::ChartPlan plan;
+  plan.charts = {chart("mesh", "", subtitle, all)};
+  plan.charts[0].chart.title = own.name(0) + " and " + own.name(1) + ": culling against time";
+  return plan;
+}
+
 /// The trees of a million triangles, which take seconds to build, are left out of a brief one.
 render::ChartPlan plan(const render::ChartRequest& request) {
   render::ChartPlan plan = full_plan(request.peers);
@@ -167,4 +190,10 @@ render::ChartPlan plan(const render::ChartRequest& request) {
 
 }  // namespace
 
-int main(int argc, char** argv) { return render::chart_main(argc, argv, plan); }
+int main(int argc, char** argv) {
+  OwnMeshes own;
+  own.take_from(argc, argv);
+  return render::chart_main(argc, argv, [&](const render::ChartRequest& request) {
+    return own.files.empty() ? plan(request) : plan_of(own);
+  });
+}

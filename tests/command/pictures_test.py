@@ -35,6 +35,43 @@ class Pictures(KitTestCase):
         self.assertIn("./tumble frames 1 --solution --size 640x480 --fps 12.5", page)
         self.assertTrue(self.kit.calls("ninja")[-1].endswith(" spin_reference_scene"))
 
+    def test_a_mesh_is_for_the_lab_that_has_meshes_and_two_at_most(self) -> None:
+        for command in ("frames", "chart"):
+            self.assert_one_line(self.kit.tumble(command, "1", "--mesh", "a.obj"), 2)
+        self.kit.write(f"labs/{LAB}/own_meshes.hpp", "")
+        self.assert_one_line(self.kit.tumble("frames", "1", *["--mesh", "a.obj"] * 3), 2)
+        for command in ("frames", "chart"):
+            done = self.kit.tumble(command, "1", "--mesh", "a.obj", "--mesh", "b.obj")
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertTrue(self.kit.calls("program")[-1].endswith("--mesh a.obj --mesh b.obj"))
+
+    def test_a_film_becomes_a_gif_and_an_mp4_where_ffmpeg_is(self) -> None:
+        film = self.kit.root / "out" / LAB / "student" / "film"
+        self.add_program("spin_student_scene",
+                         PROGRAM + 'echo \'{"fps": 12.5}\' > "$2/film.json"\n')
+        done = self.kit.tumble("frames", "1", "--gif")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("film.gif needs ffmpeg, which is missing: install the package ffmpeg",
+                      done.stdout)
+        self.assertIn("ffmpeg -nostdin", done.stdout)
+        (film / "frame_0000.png").unlink()
+        (film / "film.json").unlink()
+        self.kit.add_tool("ffmpeg", 'echo "$*" >> "$FAKE/calls/ffmpeg"\n'
+                          'for last; do :; done\necho film > "$last"\n')
+        done = self.kit.tumble("frames", "1", "--gif", "--mp4")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("-framerate 12.5 ", self.kit.calls("ffmpeg")[0])
+        self.assertEqual(sorted(file.name for file in film.parent.iterdir()),
+                         ["film", "film-command.txt", "film.gif", "film.mp4"])
+
+    def test_an_ffmpeg_that_fails_leaves_nothing_half_written(self) -> None:
+        self.add_program("spin_student_scene", PROGRAM + "echo '{}' > \"$2/film.json\"\n")
+        self.kit.add_tool("ffmpeg", 'for last; do :; done\necho half > "$last"\nexit 1\n')
+        done = self.kit.tumble("frames", "1", "--mp4")
+        self.assert_one_line(done, 1)
+        film = self.kit.root / "out" / LAB / "student"
+        self.assertEqual([file.name for file in film.glob("*mp4*")], [])
+
     def test_all_of_it_works_twice_in_a_row(self) -> None:
         for command in ("frames", "chart") * 2:
             self.assertEqual(self.kit.tumble(command, "1").returncode, 0)

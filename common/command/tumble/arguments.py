@@ -141,6 +141,8 @@ def _add_hint(parser: argparse.ArgumentParser) -> None:
 
 
 def _add_pictures(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--mesh", metavar="FILE.obj", action="append", default=[],
+                        help="of lab 5: your own mesh, or two, instead of the shapes there are")
     parser.add_argument("--solution", action="store_true", help=(
         argparse.SUPPRESS if is_handout(ROOT) else "of the reference, not yours"))
     parser.add_argument("--out", metavar="DIR", help="where pictures go (default: Tumble's out/)")
@@ -163,6 +165,8 @@ def _add_frames(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--from", metavar="S", dest="start", type=moment, help="first moment [s]")
     parser.add_argument("--to", metavar="S", dest="end", type=moment, help="last moment [s]")
     parser.add_argument("--quality", choices=("draft", "film", "report"), help="default film")
+    parser.add_argument("--gif", action="store_true", help="film.gif, too, by ffmpeg")
+    parser.add_argument("--mp4", action="store_true", help="film.mp4, too, by ffmpeg")
     parser.add_argument("--white", action="store_true", help="pure white page, for print")
 
 

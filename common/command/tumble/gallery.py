@@ -20,7 +20,7 @@ _COMMANDS = {FILM: "frames", CHART: "chart"}
 _INDEX = "charts.txt"
 _MAIN_CHART = "chart"
 _CHART_NAME = re.compile(r"[a-z0-9_]+")
-_CHART_FILES = (".svg", ".png", ".csv", ".gp")
+_CHART_FILES = (".svg", ".png", ".pdf", ".csv", ".gp")
 
 
 class Film(NamedTuple):

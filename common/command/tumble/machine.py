@@ -58,8 +58,6 @@ HEADERS = (
     Header("Boost", "exact references of the tests", "libboost-dev", ["boost/version.hpp"],
            "BOOST_LIB_VERSION"),
     Header("benchmark", "timings of the charts", "libbenchmark-dev", ["benchmark/benchmark.h"]),
-    Header("tinyobjloader", "reads OBJ meshes", "libtinyobjloader-dev", ["tiny_obj_loader.h"],
-           needed=False, command="verify"),
     Header("stb", "writes PNG pictures", "libstb-dev", ["stb_image_write.h"]),
     Header("ISA-L", "packs PNG pictures", "libisal-dev", ["isa-l.h"],
            "ISAL_MAJOR_VERSION ISAL_MINOR_VERSION ISAL_PATCH_VERSION"),

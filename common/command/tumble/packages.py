@@ -47,7 +47,6 @@ EGL_PACKAGES = (
 
 PROOF_PACKAGES = (
     Package("lld", "links faster: there is much to link", optional=True),
-    Package("libtinyobjloader-dev", "reads OBJ meshes"),
     Package("bubblewrap", "boxes the files that are graded"),
     Package("util-linux", "limits the files that are graded"),
 )

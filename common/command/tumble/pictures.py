@@ -9,7 +9,7 @@ import subprocess
 from pathlib import Path
 from typing import Sequence
 
-from . import build, page
+from . import build, movie, page
 from .console import (BAD_USAGE, FAILED, Failure, Progress, complain, require_writable,
                       say)
 from .gallery import CHART, FILM, REFERENCE, STUDENT, command_file
@@ -70,18 +70,33 @@ class Picture:
 def run(root: Path, options: argparse.Namespace) -> int:
     lab = find_lab(root, options.lab)
     arguments = _film_arguments(options) if options.command == "frames" else _peers(options)
+    arguments += _meshes(lab, options.mesh)
     if options.solution:
         require_solutions(root, "--solution")
     out = Path(options.out).absolute() if options.out else root / "out"
     picture = Picture(lab, options.command, REFERENCE if options.solution else STUDENT, out)
     require_writable(out)
-    if arguments == [PEERS]:  # CMake looks for them once; they may have come since
+    if PEERS in arguments:  # CMake looks for them once; they may have come since
         build.configure(root, "release", again=True)
     build.require(root, "release", [picture.target])
     if not picture.draw(root, arguments, ["--out", options.out] if options.out else []):
         return FAILED
+    if options.command == "frames":
+        for kind in movie.KINDS:
+            if getattr(options, kind):
+                say(movie.make(picture.folder, kind))
     say(f"Look at {page.write(root, out)}, or at the files in {picture.folder}")
     return 0
+
+
+def _meshes(lab: Lab, files: Sequence[str]) -> list[str]:
+    if not files:
+        return []
+    if not (lab.path / "own_meshes.hpp").exists():
+        raise Failure(f"lab {lab.number} has no meshes: --mesh is for lab 5", BAD_USAGE)
+    if len(files) > 2:
+        raise Failure(f"--mesh: want one or two files, got {len(files)}", BAD_USAGE)
+    return [part for file in files for part in ("--mesh", file)]
 
 
 def _peers(options: argparse.Namespace) -> list[str]:

@@ -1,14 +1,25 @@
 #include "common/require.hpp"
 
+#include <charconv>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 
 namespace common {
+namespace {
+
+/// The shortest decimal that reads back as the same double.
+std::string shortest(double value) {
+  char digits[32];
+  const auto [end, error] = std::to_chars(std::begin(digits), std::end(digits), value);
+  return {digits, end};
+}
+
+}  // namespace
 
 void refuse(const char* name, const char* wanted, double got) {
-  throw std::invalid_argument(std::string(name) + ": want " + wanted + ", got " +
-                              std::to_string(got));
+  throw std::invalid_argument(std::string(name) + ": want " + wanted + ", got " + shortest(got));
 }
 
 void refuse_entry(const char* name) {

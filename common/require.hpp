@@ -9,7 +9,8 @@
 /// argument and what is wrong with it, and lets NaN pass nowhere.
 namespace common {
 
-/// Throws. Apart from the checks, which cost next to nothing where all is well.
+/// Throws; the text has the number so that it reads back. Apart from the checks, which cost next to
+/// nothing where all is well.
 [[noreturn]] void refuse(const char* name, const char* wanted, double got);
 [[noreturn]] void refuse_entry(const char* name);
 

@@ -2,7 +2,9 @@
 #include <Eigen/Eigenvalues>
 
 #include "catch.hpp"
+#include "fingerprint.hpp"
 #include "random.hpp"
+#include "trial.hpp"
 #include "values.hpp"
 
 using tests::eps;
@@ -62,4 +64,33 @@ TEST_CASE("Both signs of a quaternion are one attitude and lengths neither over 
   CHECK(std::abs(tests::length(common::Vec3(3e-200, 4e-200, 0.0)) / 5e-200 - 1.0) <= 8.0 * eps);
   CHECK(std::abs(tests::length(common::Mat3(common::Mat3::Constant(1e200))) / 3e200 - 1.0) <=
         16.0 * eps);
+}
+
+TEST_CASE("A fingerprint names the one mistake that fits on all inputs", "[support]") {
+  // Twice and the square are the same of 2, and all are of 0.
+  const std::vector<tests::Mistake<double, double>> mistakes{
+      tests::returns<double, double>("twice", [](double x) { return 2.0 * x; }),
+      tests::returns<double, double>("the square", [](double x) { return x * x; }),
+      {"0/0", [](double x, double got) { return x == 0.0 ? std::isnan(got) : got == 1.0; }}};
+  const auto told = [&](const std::vector<double>& inputs, double (*answer)(double)) {
+    return tests::fingerprint(inputs, answer, mistakes);
+  };
+  CHECK(told({0.0, 2.0, 3.0}, [](double x) { return x + x; }) == "twice");
+  CHECK(told({0.0, 2.0, 3.0}, [](double x) { return x * x; }) == "the square");
+  CHECK(told({0.0, 2.0, 3.0}, [](double x) { return x / x; }) == "0/0");
+  CHECK(told({0.0, 2.0}, [](double x) { return x + x; }).empty());
+  CHECK(told({0.0, 2.0, 3.0}, [](double x) { return 3.0 * x; }).empty());
+  CHECK(told({2.0, 3.0}, [](double) -> double { throw std::domain_error("no number"); }).empty());
+}
+
+TEST_CASE("A trial looks for a likely mistake only where it fails", "[support]") {
+  int asked = 0;
+  tests::Trial trial("0.0 nothing");
+  trial.suspecting([&] {
+    ++asked;
+    return std::string("it is one less");
+  });
+  trial.expect(2.0, 2.0, {0.0, "the same"});
+  trial.expect_small("error", 0.0, {0.0, "the same"});
+  CHECK(asked == 0);
 }

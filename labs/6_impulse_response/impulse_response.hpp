@@ -15,6 +15,9 @@
 /// Every function throws std::invalid_argument where an argument is NaN or infinite, a mass or a
 /// radius is not above zero, e is outside [0, 1], μ or dt below zero, a normal not of length one
 /// (to 1e-9), or something stated below is broken.
+///
+/// Numbers are 0 or from 1e-100 to 1e100 in size, and so are the products in the formulas, as m
+/// |v_t| and the entries of K. Beyond that results may over- or underflow.
 namespace lab::impulse_response {
 
 using common::Mat3;

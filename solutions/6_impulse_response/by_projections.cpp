@@ -51,13 +51,14 @@ Vec3 clamped(const Vec3& v, double limit) {
   return length > limit ? Vec3(v / length * limit) : v;
 }
 
-/// The velocity after an impact with an obstacle.
+/// The velocity after an impact with an obstacle. Friction is that of the velocity after the normal
+/// impulse, whose slip is the same but for rounding.
 Vec3 reflected(const Vec3& v, const Vec3& n, const Material& material) {
   const Vec3 inwards = onto(n) * v;
   if (!(n.dot(v) < 0.0)) return v;
-  const Vec3 outwards = -material.restitution * inwards;
-  const Vec3 slip = across(n) * v;
-  return outwards + slip - clamped(slip, material.friction * (outwards - inwards).norm());
+  const Vec3 change = -(1.0 + material.restitution) * inwards;
+  const Vec3 bounced = v + change;
+  return bounced - clamped(across(n) * bounced, material.friction * change.norm());
 }
 
 /// One body's answer to a push, as the change of the velocity at the point.

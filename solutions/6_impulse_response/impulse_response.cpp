@@ -18,9 +18,7 @@ using common::require_positive;
 using common::require_unit;
 
 void require_restitution(double e) {
-  if (!(e >= 0.0 && e <= 1.0)) {
-    throw std::invalid_argument("restitution: want a number from 0 to 1, got " + std::to_string(e));
-  }
+  if (!(e >= 0.0 && e <= 1.0)) common::refuse("restitution", "a number from 0 to 1", e);
 }
 
 void require_valid(const Material& material) {

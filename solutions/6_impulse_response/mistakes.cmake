@@ -28,6 +28,14 @@ add_mutant(${lab} normal_without_mass 6.1
 add_mutant(${lab} whole_speed 6.1
   "-(1.0 + e) * mass * v_n" "(1.0 + e) * mass * velocity.norm()" "whole speed")
 
+# What moves slowly is believed to rest.
+add_mutant(${lab} least_speed 6.1
+  "if (v_n >= 0.0) return 0.0;" "if (v_n >= -1e-9) return 0.0;" "no speed is too small")
+
+# Zero is believed to need a tolerance, here on the other side.
+add_mutant(${lab} parting_by_tolerance 6.1
+  "if (v_n >= 0.0) return 0.0;" "if (v_n >= 1e-9) return 0.0;" "zero is the border")
+
 # ---- 6.2 ----
 
 # Friction is believed to stop whatever slips.
@@ -72,6 +80,24 @@ add_mutant(${lab} slip_not_unit 6.2
   "const Vec3 slip = velocity - normal.dot(velocity) * normal;
   return -std::min(friction * normal_impulse, mass * slip.norm()) * slip;" "not made a unit")
 
+# A slip is believed to be zero where it is small.
+add_mutant(${lab} least_slip 6.2
+  "if (length == 0.0) return Vec3::Zero();" "if (length < 1e-10) return Vec3::Zero();"
+  "a small slip is taken for none")
+
+# The direction of no slip is asked for.
+add_mutant(${lab} slip_over_zero 6.2
+  "if (length == 0.0) return Vec3::Zero();" "" "0/0: v_t has no direction")
+
+# A small number is believed to keep off 0/0 at no cost.
+add_mutant(${lab} slip_over_padded_length 6.2
+  "/ length * slip" "/ (length + 1e-12) * slip" "something is added to |v_t|")
+
+# Only what pushes is believed to have a length, not what slips.
+add_mutant(${lab} slip_over_whole_speed 6.2
+  "const double length = slip.norm();" "const double length = motion.norm();"
+  "|v| stands where |v_t| belongs")
+
 # ---- 6.3 ----
 
 # The gap is negative inside, so moving out by phi moves in.
@@ -99,6 +125,25 @@ add_mutant(${lab} whole_displacement 6.3
   if (length == 0.0) return Vec3::Zero();
   return -std::min(friction * normal_length, length) / length * displacement;"
   "whole displacement")
+
+# A way is believed to be zero where it is short.
+add_mutant(${lab} least_way 6.3
+  "if (length == 0.0) return Vec3::Zero();" "if (length < 1e-10) return Vec3::Zero();"
+  "a small slip is taken for none")
+
+# The direction of no slip is asked for.
+add_mutant(${lab} way_over_zero 6.3
+  "if (length == 0.0) return Vec3::Zero();" "" "0/0: d_t has no direction")
+
+# What is hardly inside is believed to be on the surface.
+add_mutant(${lab} least_depth 6.3
+  "if (gap >= 0.0) return Vec3::Zero();" "if (gap >= -1e-9) return Vec3::Zero();"
+  "no depth is too small")
+
+# The depth is believed to allow any slip.
+add_mutant(${lab} disc_without_mu 6.3
+  "return against_slip(displacement, normal, normal_length, friction);"
+  "return against_slip(displacement, normal, normal_length, 1.0 + 0.0 * friction);" "mu is missing")
 
 # ---- 6.4 ----
 
@@ -187,6 +232,74 @@ add_mutant(${lab} rest_forgotten 6.4
   "projected(step.particle, obstacle, material, gravity, step.projected, {}).particle;"
   "projected(step.particle, obstacle, material, gravity, 0.0, {}).particle;" "is forgotten")
 
+# The tangential correction is given a velocity.
+add_mutant(${lab} correction_of_speed 6.4
+  "against_slip(d, n," "against_slip(particle.velocity - 1.0 / particle.mass * impulse, n,"
+  "not of the step's motion d = dt v")
+
+# A motion is taken for a velocity.
+add_mutant(${lab} time_counts_twice 6.4
+  "against_slip(d, n," "against_slip(dt * d, n," "dt counts twice")
+
+# Repairing the position is believed to repair the velocity.
+add_mutant(${lab} velocity_repaired 6.4
+  "if (corrections.normal) particle.position += -phi * n;"
+  "if (corrections.normal) particle.position += -phi * n;
+  const Vec3 back = against_slip(d, n, -phi, material.friction);
+  if (dt > 0.0 && corrections.normal) particle.velocity += -phi / dt * n;
+  if (dt > 0.0 && corrections.tangential) particle.velocity += back / dt;"
+  "changed by the correction over dt")
+
+# A little restitution is believed to be none.
+add_mutant(${lab} least_restitution 6.4
+  "material.restitution > 0.0 &&" "material.restitution > 1e-3 &&"
+  "a small restitution is taken for none")
+
+# A particle that leaves slowly is believed to rest.
+add_mutant(${lab} least_speed_to_leave 6.4
+  ".dot(v) <= 0.0) break" ".dot(v) <= 1e-6) break" "leaves slowly is taken for one that rests")
+
+# Between impacts a particle is believed to go straight on.
+add_mutant(${lab} flight_without_gravity 6.4
+  "const common::Flight flight{x, v, gravity};" "const common::Flight flight{x, v, Vec3::Zero()};"
+  "gravity does not act in flight")
+
+# A step is believed to have one impact.
+add_mutant(${lab} one_impact_only 6.4
+  "step.impacts.size() < static_cast<std::size_t>(max_impacts)" "max_impacts < 1"
+  "one impact only")
+
+# The step is believed to be over where nothing else is hit.
+add_mutant(${lab} last_flight_forgotten 6.4
+  "const double flown = hit.value_or(dt - time);" "const double flown = hit.value_or(0.0);"
+  "the last impact is left out")
+
+# Each flight is believed to start at time zero.
+add_mutant(${lab} times_of_flights 6.4
+  "step.impacts.push_back({time, impulse});" "step.impacts.push_back({flown, impulse});"
+  "counted from the last impact")
+
+# What is left is believed to be a flight like the others.
+add_mutant(${lab} rest_flown 6.4
+  "projected(step.particle, obstacle, material, gravity, step.projected, {}).particle;"
+  "{mass, position_at(common::Flight{x, v, gravity}, step.projected),
+                   velocity_at(common::Flight{x, v, gravity}, step.projected)};"
+  "it is to be projected")
+
+# What is hardly inside is believed to be on the surface.
+add_mutant(${lab} least_depth_of_step 6.4
+  "if (phi >= 0.0)" "if (phi >= -1e-9)" "what is hardly inside is left alone")
+
+# What is close is believed to touch.
+add_mutant(${lab} touching_by_tolerance 6.4
+  "common::gap(obstacle, x) <= 0.0 &&" "common::gap(obstacle, x) <= 1e-9 &&"
+  "close to the surface is taken for touching")
+
+# Each flight is believed to have the whole step before it.
+add_mutant(${lab} looks_beyond_the_step 6.4
+  "time_of_impact(obstacle, flight, dt - time)" "time_of_impact(obstacle, flight, dt)"
+  "looked for in dt")
+
 # ---- 6.5 ----
 
 # The body is believed to yield like a point mass.
@@ -273,3 +386,77 @@ add_mutant(${lab} no_torque 6.5
 add_mutant(${lab} impulse_subtracted 6.5
   "next.velocity += body.inverse_mass * impulse;" "next.velocity -= body.inverse_mass * impulse;"
   "is subtracted")
+
+# K is believed to be one number.
+add_mutant(${lab} one_number_for_K 6.5
+  "const double e = material.restitution;
+  const double mu = material.friction;
+  Vec3 stick = common::inverse(K) * (-e * u_n * n - u);"
+  "const double e = material.restitution;
+  const double mu = material.friction;
+  const double k = n.dot(K * n);
+  Vec3 stick = (-e * u_n * n - u) / k;
+  if (e >= 0.0) {
+    const double most = mu * n.dot(stick);
+    const Vec3 t = stick - n.dot(stick) * n;
+    return t.norm() <= most ? stick : Vec3(-(1.0 + e) * u_n / k * (n + mu * t.normalized()));
+  }" "which is a matrix")
+
+# The two bodies are believed to pull at K in opposite directions, as they do at u.
+add_mutant(${lab} K_of_b_less_a 6.5
+  "inverse_mass_at(a, point) + inverse_mass_at(b, point)"
+  "inverse_mass_at(b, point) - inverse_mass_at(a, point)" "so it is a sum")
+
+# Only b is believed to turn.
+add_mutant(${lab} spin_of_a_missing 6.5
+  "velocity_at(b, contact.point) - velocity_at(a, contact.point)"
+  "velocity_at(b, contact.point) - a.velocity" "spin of a is left out")
+
+# Only a is believed to turn.
+add_mutant(${lab} spin_of_b_missing 6.5
+  "velocity_at(b, contact.point) - velocity_at(a, contact.point)"
+  "b.velocity - velocity_at(a, contact.point)" "spin of b is left out")
+
+# Sticking is believed to end the normal speed as well.
+add_mutant(${lab} stick_without_e 6.5
+  "(-e * u_n * n - u)" "(-u)" "e is missing where it sticks")
+
+# Friction is believed to be against the slip, as for a particle.
+add_mutant(${lab} against_the_slip 6.5
+  "const Vec3 edge = n + mu * stick_t.normalized();"
+  "const Vec3 edge = n - mu * (u - u_n * n).normalized();" "the impulse that sticks")
+
+# The cone is asked for by squares, which have no sign.
+add_mutant(${lab} cone_by_squares 6.5
+  "if (stick_t.norm() <= mu * stick_n) return stick;"
+  "if (stick_t.squaredNorm() <= mu * mu * stick_n * stick_n) return stick;" "cannot pull")
+
+# The direction of no slip is asked for.
+add_mutant(${lab} contact_over_zero 6.5
+  "if (stick_t.norm() <= mu * stick_n) return stick;
+
+  const Vec3 edge = n + mu * stick_t.normalized();"
+  "if (stick_t.norm() < mu * stick_n) return stick;
+
+  const Vec3 edge = n + mu * (stick_t / stick_t.norm());" "0/0: j_t has no direction")
+
+# Bodies that meet slowly are believed to rest.
+add_mutant(${lab} least_approach 6.5
+  "if (u_n >= 0.0) return Vec3::Zero();" "if (u_n >= -1e-9) return Vec3::Zero();"
+  "no speed is too small")
+
+# The inertia is believed to resist the impulse, not its torque.
+add_mutant(${lab} inertia_before_lever 6.5
+  "next.angular_velocity += body.inverse_inertia * (point - body.position).cross(impulse);"
+  "next.angular_velocity += (point - body.position).cross(body.inverse_inertia * impulse);"
+  "r x (inverse inertia j)")
+
+# The cone is believed to need a tolerance.
+add_mutant(${lab} cone_by_tolerance 6.5
+  "if (stick_t.norm() <= mu * stick_n)" "if (stick_t.norm() <= mu * stick_n + 1e-9)"
+  "a small impulse always sticks")
+
+# Zero is believed to need a tolerance.
+add_mutant(${lab} parts_by_tolerance 6.5
+  "if (u_n >= 0.0) return Vec3::Zero();" "if (u_n >= 1e-12) return Vec3::Zero();"
+  "zero is the border")

@@ -28,7 +28,23 @@ enum class BodyFlaw {
   no_friction,
   mass_of_particles,
   one_after_the_other,
-  keeps_normal_impulse
+  keeps_normal_impulse,
+  b_less_a,
+  normal_alone,
+  no_spin_of_a,
+  no_spin_of_b,
+  no_restitution_in_stick,
+  against_slip,
+  pulls,
+  inertia_last,
+  u_of_a,
+  one_minus_e,
+  cone_of_j,
+  not_unit,
+  normal_denominator,
+  slips_freely,
+  other_restitution_in_stick,
+  e_alone_on_cone
 };
 
 using BodyFlaws = std::vector<std::pair<BodyFlaw, std::string>>;
@@ -41,7 +57,9 @@ inline const BodyFlaws& mass_flaws() {
       {BodyFlaw::only_a, "b's part of the effective mass is missing: both bodies yield"},
       {BodyFlaw::angular_sign, "the angular part of the effective mass has the wrong sign"},
       {BodyFlaw::lever_of_origin,
-       "the lever arm starts at the world's origin: p where p - x belongs"}};
+       "the lever arm starts at the world's origin: p where p - x belongs"},
+      {BodyFlaw::b_less_a, "K of a is subtracted from K of b: both bodies yield, so it is a sum"},
+      {BodyFlaw::inertia_last, "[r]x [r]x stands before the inverse inertia, not around it"}};
   return all;
 }
 
@@ -63,7 +81,24 @@ inline const BodyFlaws& contact_flaws() {
         {BodyFlaw::one_after_the_other,
          "normal and tangential part are solved one after the other: K couples them"},
         {BodyFlaw::keeps_normal_impulse,
-         "on the cone the normal impulse is that of sticking: u_n is not -e times what it was"}};
+         "on the cone the normal impulse is that of sticking: u_n is not -e times what it was"},
+        {BodyFlaw::normal_alone, "n.K n stands for all of K, which is a matrix"},
+        {BodyFlaw::no_spin_of_a, "the spin of a is left out of u: v + omega x r at its point"},
+        {BodyFlaw::no_spin_of_b, "the spin of b is left out of u: v + omega x r at its point"},
+        {BodyFlaw::no_restitution_in_stick, "e is missing where it sticks: K j = -e u_n n - u"},
+        {BodyFlaw::against_slip,
+         "on the cone t is -u_t/|u_t|: it is the direction of the impulse that sticks"},
+        {BodyFlaw::pulls,
+         "an impulse of j_n < 0 is taken for one in the cone: contact cannot pull"},
+        {BodyFlaw::u_of_a, "u is a's velocity relative to b's: it is b's relative to a's"},
+        {BodyFlaw::one_minus_e, "1 - e stands where 1 + e belongs"},
+        {BodyFlaw::cone_of_j, "|j_t| is compared with mu |j|: the cone is mu j_n"},
+        {BodyFlaw::not_unit, "on the cone j_t is not made a unit direction"},
+        {BodyFlaw::normal_denominator, "on the cone n.K n stands where n.K (n + mu t) belongs"},
+        {BodyFlaw::slips_freely, "where it slips there is no friction: it is mu j_n"},
+        {BodyFlaw::other_restitution_in_stick,
+         "e has the wrong sign where it sticks: K j = -e u_n n - u"},
+        {BodyFlaw::e_alone_on_cone, "e stands where 1 + e belongs"}};
     flaws.insert(flaws.end(), more.begin(), more.end());
     return flaws;
   }();
@@ -80,7 +115,9 @@ inline VecL lever(const RigidBody& body, const common::Vec3& point) {
 
 inline MatL inverse_mass_at(const RigidBody& body, const common::Vec3& point, BodyFlaw flaw) {
   const MatL r = skew(flaw == BodyFlaw::lever_of_origin ? wide(point) : lever(body, point));
-  const MatL turning = -(r * body.inverse_inertia.cast<Real>() * r);
+  const MatL inverse_inertia = body.inverse_inertia.cast<Real>();
+  const MatL turning = flaw == BodyFlaw::inertia_last ? MatL(-(r * r * inverse_inertia))
+                                                      : MatL(-(r * inverse_inertia * r));
   const Real sign =
       flaw == BodyFlaw::no_angular_part ? 0 : (flaw == BodyFlaw::angular_sign ? -1 : 1);
   return wide(body.inverse_mass) * MatL::Identity() + sign * turning;
@@ -89,7 +126,8 @@ inline MatL inverse_mass_at(const RigidBody& body, const common::Vec3& point, Bo
 inline MatL mass_matrix(const RigidBody& a, const RigidBody& b, const common::Vec3& point,
                         BodyFlaw flaw = BodyFlaw::none) {
   MatL K = MatL::Zero();
-  if (flaw != BodyFlaw::only_b) K += inverse_mass_at(a, point, flaw);
+  const Real part_of_a = flaw == BodyFlaw::only_b ? 0 : (flaw == BodyFlaw::b_less_a ? -1 : 1);
+  K += part_of_a * inverse_mass_at(a, point, flaw);
   if (flaw != BodyFlaw::only_a) K += inverse_mass_at(b, point, flaw);
   return K;
 }
@@ -98,8 +136,13 @@ inline VecL velocity_at(const RigidBody& body, const common::Vec3& point) {
   return wide(body.velocity) + wide(body.angular_velocity).cross(lever(body, point));
 }
 
-inline VecL approach(const RigidBody& a, const RigidBody& b, const common::Vec3& point) {
-  return velocity_at(b, point) - velocity_at(a, point);
+inline VecL approach(RigidBody a, RigidBody b, const common::Vec3& point,
+                     BodyFlaw flaw = BodyFlaw::none) {
+  const bool centers = flaw == BodyFlaw::velocity_of_centers;
+  if (centers || flaw == BodyFlaw::no_spin_of_a) a.angular_velocity.setZero();
+  if (centers || flaw == BodyFlaw::no_spin_of_b) b.angular_velocity.setZero();
+  const VecL u = velocity_at(b, point) - velocity_at(a, point);
+  return flaw == BodyFlaw::u_of_a ? VecL(-u) : u;
 }
 
 struct ContactInput {
@@ -132,36 +175,98 @@ inline VecL mistaken_friction(const ContactInput& in, const MatL& K, const VecL&
 }
 
 inline ContactOutcome contact_outcome(const ContactInput& in, BodyFlaw flaw = BodyFlaw::none) {
-  const MatL K = mass_matrix(in.a, in.b, in.contact.point, flaw);
-  VecL u = approach(in.a, in.b, in.contact.point);
-  if (flaw == BodyFlaw::velocity_of_centers) u = wide(in.b.velocity) - wide(in.a.velocity);
+  MatL K = mass_matrix(in.a, in.b, in.contact.point, flaw);
+  const VecL u = approach(in.a, in.b, in.contact.point, flaw);
   const VecL n = (flaw == BodyFlaw::other_normal ? -1 : 1) * wide(in.contact.normal);
+  if (flaw == BodyFlaw::normal_alone) K = n.dot(K * n) * MatL::Identity();
   const Real u_n = n.dot(u);
   if (u_n >= 0 && flaw != BodyFlaw::acts_while_parting) return {};
   if (flaw == BodyFlaw::mass_of_particles || flaw == BodyFlaw::one_after_the_other) {
     return {mistaken_friction(in, K, u, n, flaw)};
   }
 
-  const Real e = wide(in.material.restitution) - (flaw == BodyFlaw::e_alone ? 1 : 0);
+  Real e = wide(in.material.restitution) - (flaw == BodyFlaw::e_alone ? 1 : 0);
+  if (flaw == BodyFlaw::one_minus_e) e = -e;
   const Real mu = flaw == BodyFlaw::no_friction ? 0 : wide(in.material.friction);
   const MatL K_inverse = K.inverse();
-  const VecL wanted = -(1 + e) * u_n * n - tangential(u, n);
+  Real e_stick = flaw == BodyFlaw::no_restitution_in_stick ? 0 : e;
+  if (flaw == BodyFlaw::other_restitution_in_stick) e_stick = -e;
+  const VecL wanted = -(1 + e_stick) * u_n * n - tangential(u, n);
   const VecL stick = K_inverse * wanted;
   const VecL stick_t = tangential(stick, n);
   const Real speed = wide(in.a.velocity.norm() + in.b.velocity.norm()) +
                      wide(in.a.angular_velocity.norm()) * lever(in.a, in.contact.point).norm() +
                      wide(in.b.angular_velocity.norm()) * lever(in.b, in.contact.point).norm();
   const Real condition = K.norm() * K_inverse.norm() * (1 + speed / wanted.norm());
-  const bool in_cone = stick_t.norm() <= mu * n.dot(stick);
+  Real stick_n = flaw == BodyFlaw::pulls ? std::abs(n.dot(stick)) : n.dot(stick);
+  if (flaw == BodyFlaw::cone_of_j) stick_n = stick.norm();
+  const bool in_cone = stick_t.norm() <= mu * stick_n;
   if (flaw == BodyFlaw::always_sticks || (in_cone && flaw != BodyFlaw::always_slips)) {
     return {stick, true, condition};
   }
-  const VecL edge = n + (flaw == BodyFlaw::along_slip ? -mu : mu) * unit_or_zero(stick_t);
-  const Real yields = n.dot(K * edge);
+  const VecL against = flaw == BodyFlaw::against_slip ? VecL(-tangential(u, n)) : stick_t;
+  VecL t = unit_or_zero(against);
+  if (flaw == BodyFlaw::along_slip) t = -t;
+  if (flaw == BodyFlaw::not_unit) t = stick_t;
+  if (flaw == BodyFlaw::slips_freely) t.setZero();
+  const VecL edge = n + mu * t;
+  const Real yields = flaw == BodyFlaw::normal_denominator ? n.dot(K * n) : n.dot(K * edge);
+  if (flaw == BodyFlaw::e_alone_on_cone) e -= 1;
   const Real j_n = flaw == BodyFlaw::keeps_normal_impulse ? n.dot(stick) : -(1 + e) * u_n / yields;
   const Real direction = stick.norm() / std::max(stick_t.norm(), Real(1e-30L));
   return {j_n * edge, false,
           condition * (1 + direction) * (1 + K.norm() * edge.norm() / std::abs(yields))};
+}
+
+/// What can be wrong with (10).
+enum class ImpulseFlaw {
+  none,
+  subtracted,
+  times_mass,
+  no_mass,
+  other_torque,
+  no_torque,
+  lever_of_origin,
+  inertia_first,
+  no_inertia,
+  no_velocity
+};
+
+inline const std::vector<std::pair<ImpulseFlaw, std::string>>& impulse_flaws() {
+  static const std::vector<std::pair<ImpulseFlaw, std::string>> all{
+      {ImpulseFlaw::subtracted, "the impulse is subtracted"},
+      {ImpulseFlaw::times_mass, "m j stands where j/m belongs"},
+      {ImpulseFlaw::no_mass, "the mass is missing"},
+      {ImpulseFlaw::other_torque, "the torque has the wrong sign: r x j, not j x r"},
+      {ImpulseFlaw::no_torque, "the impulse does not make the body turn"},
+      {ImpulseFlaw::lever_of_origin,
+       "the lever arm starts at the world's origin: p where p - x belongs"},
+      {ImpulseFlaw::inertia_first,
+       "r x (inverse inertia j) stands where inverse inertia (r x j) belongs"},
+      {ImpulseFlaw::no_inertia, "the inertia is missing: the torque is added to the spin"},
+      {ImpulseFlaw::no_velocity, "the impulse turns the body but does not move it"}};
+  return all;
+}
+
+inline RigidBody body_after(const RigidBody& body, const common::Vec3& impulse,
+                            const common::Vec3& point, ImpulseFlaw flaw = ImpulseFlaw::none) {
+  const VecL j = wide(impulse);
+  const VecL r = flaw == ImpulseFlaw::lever_of_origin ? wide(point) : lever(body, point);
+  const MatL inverse_inertia = body.inverse_inertia.cast<Real>();
+  Real share = wide(body.inverse_mass);
+  if (flaw == ImpulseFlaw::subtracted) share = -share;
+  if (flaw == ImpulseFlaw::times_mass) share = 1 / share;
+  if (flaw == ImpulseFlaw::no_mass) share = 1;
+  if (flaw == ImpulseFlaw::no_velocity) share = 0;
+  VecL turn = inverse_inertia * r.cross(j);
+  if (flaw == ImpulseFlaw::other_torque) turn = -turn;
+  if (flaw == ImpulseFlaw::no_torque) turn.setZero();
+  if (flaw == ImpulseFlaw::inertia_first) turn = r.cross(inverse_inertia * j);
+  if (flaw == ImpulseFlaw::no_inertia) turn = r.cross(j);
+  RigidBody next = body;
+  next.velocity = narrow(wide(body.velocity) + share * j);
+  next.angular_velocity = narrow(wide(body.angular_velocity) + turn);
+  return next;
 }
 
 inline std::string text_of(const RigidBody& b) {
@@ -170,7 +275,7 @@ inline std::string text_of(const RigidBody& b) {
 }
 
 inline Trial contact_trial(const ContactInput& in, int index = 1, int count = 1) {
-  Trial trial("6.5 contact_impulse", index, count);
+  Trial trial = trial_of("6.5 contact_impulse", index, count);
   trial.given("a", Code{text_of(in.a)}).given("b", Code{text_of(in.b)});
   trial.given("contact",
               Code{"Contact{" + text(in.contact.point) + ", " + text(in.contact.normal) + "}"});

@@ -42,7 +42,7 @@ Departure slide(double dt) {
 }
 
 Trial slide_trial(double dt, int index, int count) {
-  return Trial("6.4 step_by_projection", index, count)
+  return tests::trial_of("6.4 step_by_projection", index, count)
       .given("dt", dt)
       .given("cylinder.radius", 1.0)
       .given("speed at the top", top_speed);

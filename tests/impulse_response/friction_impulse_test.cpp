@@ -1,68 +1,35 @@
 #include "catch.hpp"
-#include "oracle.hpp"
+#include "likely.hpp"
+#include "particle_cases.hpp"
 
 using namespace lab::impulse_response;
 using tests::eps;
-using tests::Trial;
-using tests::VecL;
+using tests::FrictionCase;
 using tests::wide;
 
 namespace {
 
-struct FrictionCase {
-  double mass;
-  Vec3 velocity;
-  Vec3 normal;
-  double normal_impulse;
-  double friction;
-};
-
-VecL slip(const FrictionCase& c) { return tests::tangential(wide(c.velocity), wide(c.normal)); }
-
-Vec3 exact_friction(const FrictionCase& c) {
-  return tests::narrow(
-      tests::braked(wide(c.mass) * slip(c), wide(c.friction) * wide(c.normal_impulse)));
-}
-
-/// −size along v; zero where v is.
-Vec3 along(tests::Real size, const VecL& v) {
-  return tests::narrow(v.norm() == 0 ? VecL(VecL::Zero()) : VecL(-size / v.norm() * v));
-}
-
-std::vector<tests::Suspect<Vec3>> friction_suspects(const FrictionCase& c) {
-  const VecL v_t = slip(c);
-  const VecL v = wide(c.velocity);
-  const tests::Real m = wide(c.mass);
-  const tests::Real cone = wide(c.friction) * wide(c.normal_impulse);
-  return {{-exact_friction(c), "friction is along the slip: it pushes on"},
-          {along(m * v_t.norm(), v_t), "friction stops all slip: it may not leave the cone mu j_n"},
-          {along(cone, v_t), "friction is always mu j_n: it may not turn a small slip round"},
-          {along(std::min(cone, v_t.norm()), v_t), "the mass is missing in m |v_t|"},
-          {along(std::min(wide(c.normal_impulse), m * v_t.norm()), v_t), "mu is missing"},
-          {along(std::min(cone, m * v.norm()), v),
-           "the whole velocity is braked, not its tangential part"},
-          {tests::narrow(-std::min(cone, m * v_t.norm()) * v_t),
-           "the slip is not made a unit direction"},
-          {Vec3::Zero(), "there is no friction"}};
-}
-
-void expect_friction(const FrictionCase& c, const tests::Bound& bound, int index = 1,
-                     int count = 1) {
-  Trial("6.2 friction_impulse", index, count)
+tests::Trial friction_trial(const FrictionCase& c, int index = 1, int count = 1) {
+  return tests::trial_of("6.2 friction_impulse", index, count)
       .given("mass", c.mass)
       .given("velocity", c.velocity)
       .given("normal", c.normal)
       .given("normal_impulse", c.normal_impulse)
-      .given("friction", c.friction)
+      .given("friction", c.friction);
+}
+
+void expect_friction(const FrictionCase& c, const tests::Bound& bound, int index = 1,
+                     int count = 1) {
+  friction_trial(c, index, count)
       .expect(friction_impulse(c.mass, c.velocity, c.normal, c.normal_impulse, c.friction),
-              exact_friction(c), bound, friction_suspects(c));
+              tests::exact_friction(c), bound);
 }
 
 /// m |v_t| is what stops the slip; the cone allows `share` of it.
 FrictionCase random_case(tests::Random& random, double share) {
   FrictionCase c{random.uniform(1.5, 5.0), random.vector(3.0), random.direction(), 0.0,
                  random.uniform(0.2, 0.9)};
-  c.normal_impulse = share * c.mass * static_cast<double>(slip(c).norm()) / c.friction;
+  c.normal_impulse = share * c.mass * static_cast<double>(tests::slip(c).norm()) / c.friction;
   return c;
 }
 
@@ -99,12 +66,7 @@ TEST_CASE("The normal speed is left alone and no friction leaves the cone", "[6.
   for (int i = 1; i <= 50; ++i) {
     const FrictionCase c = random_case(random, random.uniform(0.05, 4.0));
     const Vec3 j = friction_impulse(c.mass, c.velocity, c.normal, c.normal_impulse, c.friction);
-    const Trial trial = Trial("6.2 friction_impulse", i, 50)
-                            .given("mass", c.mass)
-                            .given("velocity", c.velocity)
-                            .given("normal", c.normal)
-                            .given("normal_impulse", c.normal_impulse)
-                            .given("friction", c.friction);
+    const tests::Trial trial = friction_trial(c, i, 50);
     trial.expect_small("|n.j_t|", std::abs(c.normal.dot(j)), rounding(c));
     trial.expect_small("|j_t| - mu j_n", j.norm() - c.friction * c.normal_impulse, rounding(c));
   }
@@ -128,14 +90,9 @@ TEST_CASE("No other impulse in the cone takes as much energy", "[6.2]") {
         least = std::min(least, energy(other));
       }
     }
-    Trial("6.2 friction_impulse", i, 50)
-        .given("mass", c.mass)
-        .given("velocity", c.velocity)
-        .given("normal", c.normal)
-        .given("normal_impulse", c.normal_impulse)
-        .given("friction", c.friction)
-        .expect_small("energy left, beyond the least of 288 other impulses", energy(j) - least,
-                      {32.0 * eps * energy(Vec3::Zero()), "rounding of two energies"});
+    friction_trial(c, i, 50).expect_small(
+        "energy left, beyond the least of 288 other impulses", energy(j) - least,
+        {32.0 * eps * energy(Vec3::Zero()), "rounding of two energies"});
   }
 }
 
@@ -149,8 +106,39 @@ TEST_CASE("Without slip or pressure or roughness there is no friction", "[6.2]")
 
 TEST_CASE("However slowly it slips it is braked", "[6.2]") {
   int index = 0;
-  for (const double speed : {1e-6, 1e-12, 1e-100}) {
+  for (const double speed : {1e-6, 1e-9, 1e-12, 1e-15, 1e-100}) {
     const FrictionCase c{2.0, Vec3(3.0 * speed, 4.0 * speed, 0.0), Vec3::UnitZ(), 1.0, 0.5};
-    expect_friction(c, rounding(c), ++index, 3);
+    expect_friction(c, rounding(c), ++index, 5);
+  }
+}
+
+TEST_CASE("However little presses and however smooth it is it brakes as much", "[6.2]") {
+  // On the cone: mu j_n along (3, 4, 0)/5, whatever part of m |v_t| = 10 it is.
+  int index = 0;
+  for (const double small : {1e-3, 1e-9, 1e-12, 1e-15, 1e-90}) {
+    const tests::Bound bound{8.0 * eps * small, "a root, a division and products"};
+    const Vec3 v(3.0, 4.0, -1.0);
+    expect_friction({2.0, v, Vec3::UnitZ(), small, 0.5}, bound, ++index, 10);
+    expect_friction({2.0, v, Vec3::UnitZ(), 0.5, small}, bound, ++index, 10);
+  }
+}
+
+TEST_CASE("Just inside of the cone it stops and just outside it slips on", "[6.2]") {
+  int index = 0;
+  for (const double share : {1.0 - 1e-9, 1.0 - 1e-12, 1.0, 1.0 + 1e-12, 1.0 + 1e-9}) {
+    expect_friction({2.0, Vec3(3.0, 4.0, -1.0), Vec3::UnitZ(), 20.0 * share, 0.5},
+                    {8.0 * eps * 10.0, "a root and a division"}, ++index, 5);
+  }
+}
+
+TEST_CASE("A straight hit has no friction however rough or smooth it is", "[6.2]") {
+  int index = 0;
+  for (const double mu : {0.0, 0.5}) {
+    for (const double j_n : {0.0, 3.0}) {
+      for (const double speed : {0.0, -2.0}) {
+        expect_friction({1.0, Vec3(0.0, 0.0, speed), Vec3::UnitZ(), j_n, mu},
+                        {0.0, "v_t is zero, and has no direction"}, ++index, 8);
+      }
+    }
   }
 }

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "impulse_response.hpp"
+#include "likely.hpp"
 #include "random.hpp"
-#include "trial.hpp"
 
 /// Impacts of a particle once more, in extended precision, with what students get wrong as
 /// switches: one formula serves as the oracle and as the list of suspects.
@@ -74,7 +74,18 @@ enum class Flaw {
   new_displacement,
   no_depth_left,
   ignores_switches,
-  corrects_velocity
+  corrects_velocity,
+  no_gravity,
+  no_friction,
+  stays_inside,
+  speed_for_displacement,
+  time_twice,
+  no_tangential,
+  parabola,
+  subtracts,
+  no_impulse,
+  least_depth,
+  most_height
 };
 
 inline const std::vector<std::pair<Flaw, std::string>>& flaws() {
@@ -91,7 +102,19 @@ inline const std::vector<std::pair<Flaw, std::string>>& flaws() {
       {Flaw::no_depth_left,
        "the tangential correction is missing: d_n is the depth before the particle is moved out"},
       {Flaw::ignores_switches, "a correction is made that is not asked for"},
-      {Flaw::corrects_velocity, "the velocity is changed by the correction over dt, too"}};
+      {Flaw::corrects_velocity, "the velocity is changed by the correction over dt, too"},
+      {Flaw::no_gravity, "gravity does not act"},
+      {Flaw::no_friction, "the impulse is along the normal alone: j_t is missing"},
+      {Flaw::stays_inside, "the particle is not moved out: the normal correction is missing"},
+      {Flaw::speed_for_displacement,
+       "the tangential correction is of the velocity, not of the step's motion d = dt v"},
+      {Flaw::time_twice, "the tangential correction is of dt d, not of d: dt counts twice"},
+      {Flaw::no_tangential, "there is no tangential correction"},
+      {Flaw::parabola, "the position moves by the parabola: d is dt times the new velocity"},
+      {Flaw::subtracts, "the impulse is subtracted from the velocity"},
+      {Flaw::no_impulse, "the impulse is told but does not change the velocity"},
+      {Flaw::least_depth, "what is hardly inside is left alone: only phi < 0 is inside"},
+      {Flaw::most_height, "what is hardly outside gets an impulse: only phi < 0 is inside"}};
   return all;
 }
 
@@ -135,23 +158,39 @@ inline StepValue projected_step(const StepInput& in, Flaw flaw = Flaw::none) {
   const VecL start = wide(in.particle.position);
   VecL v = wide(in.particle.velocity);
   const VecL old_v = v;
-  v += dt * wide(in.gravity);
-  const VecL d = dt * (flaw == Flaw::old_velocity ? old_v : v);
+  if (flaw != Flaw::no_gravity) v += dt * wide(in.gravity);
+  const VecL arriving = v;
+  VecL d = dt * (flaw == Flaw::old_velocity ? old_v : v);
+  if (flaw == Flaw::parabola) d = dt * (old_v + v) / 2;
   VecL x = start + d;
   auto [phi, n] = surface_at(in.obstacle, x);
-  if (phi >= 0) return {narrow(x), narrow(v), common::Vec3::Zero()};
+  Real surface = 0;
+  if (flaw == Flaw::least_depth) surface = -1e-16L;
+  if (flaw == Flaw::most_height) surface = 1e-16L;
+  if (phi >= surface) return {narrow(x), narrow(v), common::Vec3::Zero()};
   if (flaw == Flaw::old_normal) n = surface_at(in.obstacle, start).normal;
 
   const bool parts = n.dot(v) >= 0;
-  const VecL j = particle_impulse(mass, v, n, in.material, flaw == Flaw::acts_while_parting);
-  v += flaw == Flaw::no_mass ? j : VecL(j / mass);
+  const Material material{in.material.restitution,
+                          flaw == Flaw::no_friction ? 0.0 : in.material.friction};
+  const VecL j = particle_impulse(mass, v, n, material, flaw == Flaw::acts_while_parting);
+  Real share = flaw == Flaw::no_mass ? 1 : 1 / mass;
+  if (flaw == Flaw::subtracts) share = -share;
+  if (flaw == Flaw::no_impulse) share = 0;
+  v += share * j;
   const bool all = flaw == Flaw::ignores_switches;
   const bool skips = flaw == Flaw::repairs_only_impacts && parts;
   VecL out = VecL::Zero();
-  if ((in.corrections.normal || all) && !skips) out += (flaw == Flaw::inwards ? phi : -phi) * n;
-  if ((in.corrections.tangential || all) && !skips && flaw != Flaw::no_depth_left) {
-    const VecL moved = flaw == Flaw::new_displacement ? VecL(dt * v) : d;
-    const Real limit = flaw == Flaw::no_clamp ? Real(HUGE_VALL) : -phi * wide(in.material.friction);
+  if ((in.corrections.normal || all) && !skips && flaw != Flaw::stays_inside)
+    out += (flaw == Flaw::inwards ? phi : -phi) * n;
+  if ((in.corrections.tangential || all) && !skips && flaw != Flaw::no_tangential &&
+      !(flaw == Flaw::no_depth_left && in.corrections.normal)) {
+    VecL moved = flaw == Flaw::new_displacement ? VecL(dt * v) : d;
+    if (flaw == Flaw::speed_for_displacement) moved = arriving;
+    if (flaw == Flaw::time_twice) moved = dt * d;
+    const Real limit = flaw == Flaw::no_clamp
+                           ? Real(HUGE_VALL)
+                           : std::max(-phi, Real(0)) * wide(in.material.friction);
     out += braked(tangential(moved, n), limit);
   }
   if (flaw == Flaw::corrects_velocity && in.dt > 0.0) v += out / dt;
@@ -182,7 +221,7 @@ inline Trial& given(Trial& trial, const Material& m) {
 
 inline Trial step_trial(const std::string& function, const StepInput& in, int index = 1,
                         int count = 1) {
-  Trial trial("6.4 " + function, index, count);
+  Trial trial = trial_of("6.4 " + function, index, count);
   given(trial, in.particle).given("obstacle", Code{text_of(in.obstacle)});
   return given(trial, in.material).given("gravity", in.gravity).given("dt", in.dt);
 }

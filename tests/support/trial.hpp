@@ -51,6 +51,13 @@ class Trial : private UnderWay {
     return *this;
   }
 
+  /// What names a likely mistake where a judgement fails and not one suspect alone fits.
+  /// likely  asked only then; empty where it cannot tell, see fingerprint.hpp
+  Trial& suspecting(std::function<std::string()> likely) {
+    likely_ = std::move(likely);
+    return *this;
+  }
+
   /// The same trial of one part of the result, as of "the torque".
   [[nodiscard]] Trial of(const std::string& part) const {
     Trial trial = *this;
@@ -179,12 +186,13 @@ class Trial : private UnderWay {
     if (!part_.empty()) lines += "| note    this is about " + part_ + "\n";
     lines += "| got     " + got + "\n| wanted  " + wanted + "\n| error   " + error + "\n";
     if (!bound.empty()) lines += "| bound   " + bound + "\n";
+    std::cerr << lines << std::flush;  // all of it, should the answer crash on other inputs
+    std::string likely = stories.size() == 1 ? stories.front() : "";
     if (got.find(text(never_set)) != std::string::npos) {
-      lines += "| likely  a number that was never set: a variable without its first value\n";
-    } else if (stories.size() == 1 && !stories.front().empty()) {
-      lines += "| likely  " + stories.front() + "\n";
+      likely = "a number that was never set: a variable without its first value";
     }
-    std::cerr << lines << std::flush;
+    if (likely.empty() && likely_) likely = likely_();
+    if (!likely.empty()) std::cerr << "| likely  " << likely << "\n" << std::flush;
   }
 
   std::string step_;
@@ -192,6 +200,7 @@ class Trial : private UnderWay {
   int index_;
   int count_;
   std::vector<std::function<std::string()>> inputs_;
+  std::function<std::string()> likely_;
 };
 
 }  // namespace tests

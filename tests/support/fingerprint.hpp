@@ -1,0 +1,52 @@
+#pragma once
+
+#include <exception>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "values.hpp"
+
+namespace tests {
+
+/// A misconception, by what it does to a function on every input.
+template <typename Input, typename Value>
+struct Mistake {
+  std::string story;
+  std::function<bool(const Input&, const Value& got)> fits;
+};
+
+/// Equal but for rounding; zero is exact, and what is not finite is like nothing.
+template <typename Value>
+bool near(const Value& got, const Value& wanted, double relative = 1e-9) {
+  return is_finite(got) && difference(got, wanted) <= relative * length(wanted);
+}
+
+/// The mistake that returns `value` of each input.
+template <typename Input, typename Value, typename Function>
+Mistake<Input, Value> returns(const std::string& story, const Function& value) {
+  return {story,
+          [value](const Input& in, const Value& got) { return near(got, Value(value(in))); }};
+}
+
+/// The story of the one mistake that explains what the answer returns on all of the inputs; empty
+/// where none does, or more than one. On a single input different mistakes often look alike.
+template <typename Input, typename Value, typename Answer>
+std::string fingerprint(const std::vector<Input>& inputs, const Answer& answer,
+                        std::vector<Mistake<Input, Value>> left) {
+  try {
+    for (const Input& in : inputs) {
+      const Value got = answer(in);
+      std::erase_if(left, [&](const auto& mistake) { return !mistake.fits(in, got); });
+      if (left.empty()) return "";
+    }
+  } catch (const std::exception&) {
+    return "";
+  }
+  for (const auto& mistake : left) {
+    if (mistake.story != left.front().story) return "";
+  }
+  return left.front().story;
+}
+
+}  // namespace tests

@@ -67,7 +67,7 @@ Wrench net_wrench(const Vec3& center_of_mass, const std::vector<AppliedForce>& f
 ///
 /// world_from_body   R; any matrix: after a step it is not a rotation any more
 /// angular_velocity  ω, world [rad/s]
-/// dt                any finite step [s]; a negative one goes back
+/// dt                any step with |ω dt| < 1e100 [s]; a negative one goes back
 Mat3 step_matrix_euler(const Mat3& world_from_body, const Vec3& angular_velocity, double dt);
 
 /// The rotation Q (QᵀQ = 1, det Q = +1) that is nearest to `matrix`: the least |Q − matrix| in the
@@ -87,7 +87,7 @@ Quat step_quaternion_euler(const Quat& world_from_body, const Vec3& angular_velo
 
 /// The rotation by the angle |a| about the axis a / |a|: (cos |a|/2, sin |a|/2 · a/|a|).  eq. (11)
 ///
-/// rotation_vector  a [rad], any finite length; 0 gives the identity
+/// rotation_vector  a [rad], |a| up to 1e300; 0 gives the identity
 /// accuracy         every component to a few ulp, for |a| down to 1e-300: no small-angle gap
 Quat exponential_map(const Vec3& rotation_vector);
 
@@ -96,7 +96,7 @@ Quat exponential_map(const Vec3& rotation_vector);
 ///
 /// world_from_body   q, unit
 /// angular_velocity  ω, world [rad/s]
-/// dt                any finite step [s]
+/// dt                any step with |ω dt| up to 1e300 [s]
 Quat step_exponential(const Quat& world_from_body, const Vec3& angular_velocity, double dt);
 
 }  // namespace lab::rigid_body_kinematics

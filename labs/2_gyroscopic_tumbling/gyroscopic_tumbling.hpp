@@ -9,7 +9,8 @@
 /// The contract of lab 2. World frame unless a name ends in `_body`; q and −q are one attitude.
 /// Body axes are principal axes: `moments` are I1, I2, I3 about the centre of mass [kg m²], each
 /// above zero and none above the sum of the others. m = Rᵀ L is the angular momentum in body axes.
-/// Steps take a dt [s] of either sign with |ω dt| < 1e6, and return a unit q.
+/// Steps take a dt [s] of either sign with |ω dt| < 1e6, and return a unit q. Masses, moments, ω
+/// and dt, where not zero, are from 1e-60 to 1e60 in these units.
 namespace lab::gyroscopic_tumbling {
 
 using common::HeavyTop;

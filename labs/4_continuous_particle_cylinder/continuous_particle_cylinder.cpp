@@ -38,7 +38,8 @@ double difference_of_products(double a, double b, double c, double d) {
 std::optional<double> time_of_impact(const MovingParticle& particle, const Cylinder& cylinder,
                                      double dt) {
   // TODO step 4.2, eq. (5) and (6)
-  // 1. c by (|x| − ρ)(|x| + ρ) or better; 0 where it is not above zero by more than its rounding.
+  // 1. c: the greater of y² and z², less ρ², by eq. (4), and the other square. 0 where |x| − ρ is
+  //    not above zero by more than its rounding.
   // 2. The particle must approach: x·v below zero.
   // 3. The discriminant from ρ|v| and x × v; below zero by more than its rounding is a miss.
   // 4. The root in which nothing cancels.

@@ -47,8 +47,9 @@ double difference_of_products(double a, double b, double c, double d);
 
 /// t* by the cross form: discriminant ρ² |v|² − (x × v)², a root that does not cancel. eq. (5), (6)
 ///
-/// accuracy  no impact is missed; t* to 4 ulp where the path comes within 0.7 ρ of the axis and
-///           starts beyond 1.5 ρ; a path that passes within rounding of ρ may be taken for a hit.
+/// accuracy  no impact is missed; t* to 8 ε of itself where the path comes within 0.7 ρ of the axis
+///           and starts beyond 1.5 ρ. What stays outside by no more than rounding, 64 ε of ρ, of
+///           the way or of dt, may be taken for a hit, and nothing else.
 ///           Lengths and speeds are within 1e-60 and 1e60, or zero.
 std::optional<double> time_of_impact(const MovingParticle& particle, const Cylinder& cylinder,
                                      double dt);

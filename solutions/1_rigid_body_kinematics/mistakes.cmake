@@ -80,6 +80,16 @@ add_mutant(${lab} torque_about_the_origin 1.3
 add_mutant(${lab} last_torque_only 1.3
   "net.torque += r.cross" "net.torque = r.cross" "only the last force counts")
 
+# The loop ends after its first turn, or one too early.
+add_mutant(${lab} first_torque_only 1.3
+  "net.torque += r.cross(applied.force);"
+  "if (&applied == &forces.front()) net.torque += r.cross(applied.force);"
+  "only the first force counts")
+add_mutant(${lab} last_force_left_out 1.3
+  "const Vec3 r = applied.point - center_of_mass;"
+  "if (&applied == &forces.back()) continue;
+    const Vec3 r = applied.point - center_of_mass;" "last force is left out")
+
 # Small forces are taken for none.
 add_mutant(${lab} small_forces_ignored 1.3
   "const Vec3 r = applied.point - center_of_mass;"
@@ -157,6 +167,15 @@ add_mutant(${lab} quaternion_step_without_dt 1.5
 add_mutant(${lab} quaternion_order_mixed_up 1.5
   "Quat(0.0, omega.x(), omega.y(), omega.z())" "Quat(omega.x(), omega.y(), omega.z(), 0.0)" "order")
 
+# A vector of four is believed to be in the order of Eigen's constructor, (w, x, y, z).
+add_mutant(${lab} quaternion_of_a_vector_mixed_up 1.5
+  "Quat(0.0, omega.x(), omega.y(), omega.z())"
+  "Quat(Eigen::Vector4d(0.0, omega.x(), omega.y(), omega.z()))" "a Vector4d for Quat is")
+
+# Whole numbers are believed to be divided like any others.
+add_mutant(${lab} quaternion_step_half_in_whole_numbers 1.5
+  "0.5 * dt * rate.coeffs()" "1 / 2 * dt * rate.coeffs()" "1/2 is 0 in whole numbers")
+
 # ---- 1.6 ----
 
 # A quaternion is believed to hold the whole angle.
@@ -172,6 +191,10 @@ add_mutant(${lab} exponential_nan_at_zero 1.6 "if (angle == 0.0) return Quat::Id
 # The plain norm squares: below 1e-154 nothing is left of the angle.
 add_mutant(${lab} exponential_underflow 1.6 "std::hypot(a.x(), a.y(), a.z())" "a.norm()"
   "length underflows")
+
+# The plain norm squares: from 1e155 on the angle is infinite.
+add_mutant(${lab} exponential_overflow 1.6 "std::hypot(a.x(), a.y(), a.z())"
+  "std::max(a.norm(), a.cwiseAbs().maxCoeff())" "")
 
 # A generous guard in the step instead of the map: slow spins never turn.
 add_mutant(${lab} exponential_step_guard_too_wide 1.6

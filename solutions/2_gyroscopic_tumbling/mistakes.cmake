@@ -17,9 +17,22 @@ add_mutant(${lab} acceleration_half_inverted 2.1
   "common::inverse(inertia) * (torque - omega.cross(inertia * omega))"
   "common::inverse(inertia) * torque - omega.cross(inertia * omega)" "too, goes through")
 
+# A determinant that is small is believed to be that of a singular matrix.
+add_mutant(${lab} acceleration_small_determinant 2.1
+  "  const Vec3& omega = angular_velocity;
+  return common::inverse(inertia)"
+  "  const Vec3& omega = angular_velocity;
+  if (inertia.determinant() < 1e-12) return Vec3::Zero();
+  return common::inverse(inertia)" "small is taken for zero")
+
 # The energy of a particle is remembered without its half.
 add_mutant(${lab} energy_without_half 2.1
   "return 0.5 * spin.angular_velocity_body" "return spin.angular_velocity_body" "1/2 is missing")
+
+# Whole numbers are believed to be divided like any others.
+add_mutant(${lab} energy_half_in_whole_numbers 2.1
+  "return 0.5 * spin.angular_velocity_body" "return 1 / 2 * spin.angular_velocity_body"
+  "1/2 is 0 in whole numbers")
 
 # The momentum is left in the frame in which it was made.
 add_mutant(${lab} momentum_in_body_axes 2.1
@@ -77,6 +90,11 @@ add_mutant(${lab} loop_with_omega_on_the_right 2.2
 add_mutant(${lab} loop_without_half 2.2
   "Quat(q.coeffs() + 0.5 * dt * rate.coeffs())" "Quat(q.coeffs() + dt * rate.coeffs())"
   "1/2 is missing")
+
+# Whole numbers are believed to be divided like any others.
+add_mutant(${lab} loop_half_in_whole_numbers 2.2
+  "Quat(q.coeffs() + 0.5 * dt * rate.coeffs())" "Quat(q.coeffs() + 1 / 2 * dt * rate.coeffs())"
+  "1/2 is 0 in whole numbers")
 
 # One step hardly changes the length, so it is left as it is.
 add_mutant(${lab} loop_not_normalised 2.2
@@ -143,6 +161,10 @@ add_mutant(${lab} rate_flipped 2.4
 add_mutant(${lab} rate_without_term 2.4
   "-gyroscopic.cwiseQuotient(moments)" "0.0 * gyroscopic" "term is missing")
 
+# Whole numbers are believed to be divided like any others.
+add_mutant(${lab} rate_half_in_whole_numbers 2.4
+  "Quat(0.5 * turning.coeffs())" "Quat(1 / 2 * turning.coeffs())" "1/2 is 0 in whole numbers")
+
 # omega is taken for a world vector.
 add_mutant(${lab} rate_with_omega_on_the_left 2.4
   "spin.world_from_body * pure(omega)" "pure(omega) * spin.world_from_body" "left of q")
@@ -208,6 +230,11 @@ add_mutant(${lab} momentum_turned_with_the_body 2.5
 add_mutant(${lab} sub_rotation_without_half 2.5
   "const double t = 0.5 * dt * now.m(i)" "const double t = dt * now.m(i)" "1/2 is missing in tan")
 
+# Whole numbers are believed to be divided like any others.
+add_mutant(${lab} sub_rotation_half_in_whole_numbers 2.5
+  "const double t = 0.5 * dt * now.m(i)" "const double t = 1 / 2 * dt * now.m(i)"
+  "1/2 is 0 in whole numbers")
+
 # The turn is about a body axis, but put before the attitude.
 add_mutant(${lab} sub_rotation_in_the_world 2.5
   "next.q.vec()(j) = v(j) + t * v(k);
@@ -267,6 +294,10 @@ add_mutant(${lab} torque_in_the_world 2.6
 add_mutant(${lab} kicks_of_a_whole_step 2.6
   "0.5 * dt * torque" "dt * torque" "want dt/2")
 
+# Whole numbers are believed to be divided like any others.
+add_mutant(${lab} kicks_half_in_whole_numbers 2.6
+  "0.5 * dt * torque" "1 / 2 * dt * torque" "1/2 is 0 in whole numbers")
+
 # The torque is computed once a step.
 add_mutant(${lab} second_kick_with_old_torque 2.6
   "Spin next = kicked(common::free_symmetric_step(top, kicked(spin), dt));"
@@ -286,6 +317,11 @@ add_mutant(${lab} prediction_without_half 2.7
   "Quat(world_from_body.coeffs() + 0.5 * dt * rate.coeffs())"
   "Quat(world_from_body.coeffs() + dt * rate.coeffs())" "1/2 is missing")
 
+# Whole numbers are believed to be divided like any others.
+add_mutant(${lab} prediction_half_in_whole_numbers 2.7
+  "Quat(world_from_body.coeffs() + 0.5 * dt * rate.coeffs())"
+  "Quat(world_from_body.coeffs() + 1 / 2 * dt * rate.coeffs())" "1/2 is 0 in whole numbers")
+
 # omega is taken for a body vector.
 add_mutant(${lab} prediction_with_omega_on_the_right 2.7
   "const Quat rate = pure(angular_velocity) * world_from_body;"
@@ -300,6 +336,10 @@ add_mutant(${lab} projection_by_the_square 2.7
 # The square of a long or a short quaternion is taken as it comes.
 add_mutant(${lab} projection_underflows 2.7
   "  Quat q(q_pred.coeffs() / greatest);" "  Quat q(q_pred.coeffs());" "scale first")
+
+# What is short is believed to have no direction.
+add_mutant(${lab} projection_refuses_the_short 2.7
+  "if (!(greatest > 0.0 &&" "if (!(greatest > 1e-3 &&" "only zero has no direction")
 
 # The prediction is believed to be good enough.
 add_mutant(${lab} constrained_step_without_projection 2.7
@@ -329,6 +369,11 @@ add_mutant(${lab} increment_of_the_end 2.8
 add_mutant(${lab} increment_without_products 2.8
   "const Vec3 spread(I.z() - I.y(), I.x() - I.z(), I.y() - I.x());"
   "const Vec3 spread = 0.0 * I;" "p_j p_k is missing")
+
+# The half is believed to belong to the quaternion alone.
+add_mutant(${lab} increment_of_whole_dt 2.8
+  "const Vec3 half = 0.5 * dt * angular_momentum_body;" "const Vec3 half = dt * angular_momentum_body;"
+  "or the half of dt m")
 
 # The vector part alone is solved for, and taken for a unit quaternion.
 add_mutant(${lab} increment_not_normalised 2.8

@@ -51,6 +51,11 @@ add_mutant(${lab} gradient_zero_on_axis 3.1
   "if (distance == 0.0) return Vec3::UnitY();" "if (distance == 0.0) return Vec3::Zero();"
   "zero on the axis")
 
+# Division by something small is feared.
+add_mutant(${lab} gradient_up_near_axis 3.1
+  "if (distance == 0.0) return Vec3::UnitY();" "if (distance < 1e-9) return Vec3::UnitY();"
+  "near the axis is taken for on it")
+
 # NaN and infinity are left to spread.
 add_mutant(${lab} gap_unchecked 3.1
   "common::require_finite(position, \"position\");\n  return" "return" "not checked")
@@ -163,6 +168,9 @@ add_mutant(${lab} path_without_time 3.4
   "contact(position, particle_radius, cylinder, time);"
   "contact(position, particle_radius, cylinder, 0.0);" "time is not passed on")
 
+# To be safe, what is near is taken for contact, and so it begins a sample early.
+add_mutant(${lab} path_with_tolerance 3.4 "if (phi > 0.0)" "if (phi > 1e-9)" "tolerance is added")
+
 # A loop over no sample is believed to be harmless.
 add_mutant(${lab} path_samples_unchecked 3.4
   "if (samples < 1) throw std::invalid_argument(\"samples: want at least 1\");" "" "not checked")
@@ -181,6 +189,11 @@ add_mutant(${lab} edge_not_clamped 3.5
 add_mutant(${lab} edge_by_middle 3.5
   "std::clamp(along / length, 0.0, 1.0)" "(along < 0.0 ? 0.5 : 0.5)" "middle is taken")
 
+# An edge is believed to have one length.
+add_mutant(${lab} edge_length_in_space 3.5
+  "const double length = distance_from_axis(edge);" "const double length = edge.stableNorm();"
+  "length is that in space")
+
 # A length of zero is divided by.
 add_mutant(${lab} edge_along_x_divided_by_zero 3.5
   "if (length == 0.0) return {distance_a, 0.0};" "" "")
@@ -198,6 +211,11 @@ add_mutant(${lab} edge_without_particle_radius 3.5
 # What the axis pierces is believed to show at the edges.
 add_mutant(${lab} triangle_by_edges 3.5
   "areas.minCoeff() >= 0.0 || areas.maxCoeff() <= 0.0" "false" "only the edges")
+
+# Two edges have all three corners, so they are believed to be enough.
+add_mutant(${lab} triangle_of_two_edges 3.5
+  "const EdgePoint ca = nearest_on_edge(c, a);"
+  "const EdgePoint ca{std::max(ab.distance, bc.distance), 0.0};" "never looked at")
 
 # Corners are believed to go round one way only.
 add_mutant(${lab} triangle_of_one_winding 3.5
@@ -235,6 +253,11 @@ add_mutant(${lab} sheet_triangles_by_edges 3.6
                                       nearest_on_edge(particle(c), particle(a)).distance});"
   "only the edges")
 
+# To be safe, what is near is taken for contact.
+add_mutant(${lab} sheet_with_tolerance 3.6
+  "if (distance <= rho) contacts.edges" "if (distance <= rho + 1e-10) contacts.edges"
+  "tolerance is added")
+
 # Sheets are believed to come with good indices.
 add_mutant(${lab} sheet_indices_unchecked 3.6
   "if (index < sheet.positions.size()) return sheet.positions[index];
@@ -245,6 +268,11 @@ add_mutant(${lab} sheet_indices_unchecked 3.6
 add_mutant(${lab} margin_without_particle_radius 3.6
   "std::hypot(rho, 0.5 * longest_edge)" "std::hypot(cylinder.radius, 0.5 * longest_edge)"
   "R stands where rho")
+
+# The root of a sum of squares, as it is written.
+add_mutant(${lab} margin_by_squares 3.6
+  "std::hypot(rho, 0.5 * longest_edge)"
+  "std::sqrt(rho * rho + 0.25 * longest_edge * longest_edge)" "squares vanish")
 
 # A whole edge is put where half of one belongs.
 add_mutant(${lab} margin_of_whole_edge 3.6

@@ -244,7 +244,9 @@ Advancement conservative_advancement(const MovingParticle& particle, const Cylin
     const double gap = (std::hypot(y, z) - path.R) - path.r;
     if (gap <= tolerance) return {time, evaluations};
     if (speed == 0.0) break;
-    time += gap / speed;
+    const double next = time + gap / speed;
+    if (next == time) return {time, evaluations};  // rounding hides what is left
+    time = next;
   }
   return {std::nullopt, evaluations};
 }

@@ -114,6 +114,20 @@ add_mutant(${lab} cross_form_tangent_missed 4.2
 add_mutant(${lab} cross_form_root_against_dt 4.2
   "return std::min(t, dt);" "return t <= dt ? std::optional(t) : std::nullopt;" "")
 
+# The cross product is written down as it is, though all that counts of it is what is left.
+add_mutant(${lab} cross_form_of_rounded_cross_product 4.2
+  "difference_of_products(y, v_z, z, v_y)" "y * v_z - z * v_y" "products of x × v are rounded")
+
+# A margin is chosen by feeling, not by what the rounding is.
+add_mutant(${lab} cross_form_wide_margin_of_discriminant 4.2
+  "w > lean * w_touching" "w * w > (1.0 + 1e-9) * w_touching * w_touching"
+  "passes just outside")
+add_mutant(${lab} cross_form_wide_margin_of_start 4.2
+  "c <= 8.0 * eps * eps * rho_squared" "c <= 2e-7 * rho_squared" "start just outside")
+add_mutant(${lab} cross_form_wide_margin_of_end 4.2
+  "z_end * z_end > lean * rho_squared" "z_end * z_end > (1.0 + 1e-9) * rho_squared"
+  "end just outside")
+
 # ---- 4.3 ----
 
 # A sum of two doubles is believed to be one.
@@ -141,6 +155,11 @@ add_mutant(${lab} certified_tangent_missed 4.3
 add_mutant(${lab} certified_without_arrival_at_dt 4.3
   "if (at_end > 0 &&" "if (at_end >= 0 &&" "arrival at dt")
 
+# The margins of step 4.2 are kept, though there is no doubt any more.
+add_mutant(${lab} certified_with_margins 4.3
+  "sign(x.c, terms.c, &Exact::c) <= 0" "x.c.high <= 8.0 * eps * terms.c.value"
+  "start just outside")
+
 # The gap is a length, the step a time.
 add_mutant(${lab} advancement_by_lengths 4.3
   "t + gap / speed" "t + gap" "not divided by the speed")
@@ -161,6 +180,15 @@ add_mutant(${lab} advancement_one_too_far 4.3
 # Steps are counted instead of evaluations.
 add_mutant(${lab} advancement_counts_steps 4.3
   "    ++advancement.iterations;" "    if (t > 0.0) ++advancement.iterations;" "is not counted")
+
+# What is at dt is believed to be past it.
+add_mutant(${lab} advancement_without_arrival_at_dt 4.3
+  "    t = next;" "    if (next >= dt) break;
+    t = next;" "arrival at dt is lost")
+
+# The tolerance is met by eye.
+add_mutant(${lab} advancement_wide_tolerance 4.3
+  "gap <= tolerance ||" "gap <= (1.0 + 1e-8) * tolerance ||" "tolerance is taken too wide")
 
 # ---- 4.4 ----
 
@@ -227,6 +255,18 @@ add_mutant(${lab} batch_lengths_not_compared 4.5
     for (auto* one : {&filled.z, &filled.velocity_y, &filled.velocity_z}) one->resize(y.size());
     return times_of_impact(filled, cylinder, dt);" "lengths of the four arrays")
 
+# Without particles there is nothing to do, so nothing is looked at.
+add_mutant(${lab} batch_of_none_not_checked 4.5
+  "  common::require_positive(r, \"particle radius\");
+  common::require_positive(cylinder.radius, \"cylinder radius\");
+  common::require_not_negative(dt, \"dt\");
+  std::vector"
+  "  if (y.empty()) return {};
+  common::require_positive(r, \"particle radius\");
+  common::require_positive(cylinder.radius, \"cylinder radius\");
+  common::require_not_negative(dt, \"dt\");
+  std::vector" "where there are no particles")
+
 # ---- 4.6 ----
 
 # A cloth's particles are believed to stand for its edges.
@@ -257,6 +297,10 @@ add_mutant(${lab} edge_last_touch 4.6
 # The quartic is believed to tell of every touch, but it has no root where one is there already.
 add_mutant(${lab} edge_start_missed 4.6
   "if (inside.f[0].sign() <= 0 && inside.foot[0].sign() > 0) return 0.0;" "" "inside touches is missed")
+
+# The sign at the start is asked with a margin by feeling.
+add_mutant(${lab} edge_wide_margin_of_start 4.6
+  "inside.f[0].sign() <= 0" "inside.f[0].rounded().high <= 1e-6" "near miss is taken")
 
 # What rounding cannot decide is taken for a miss.
 add_mutant(${lab} edge_touch_missed 4.6

@@ -53,7 +53,18 @@ add_mutant(${lab} merged_without_flat_boxes 5.1
 add_mutant(${lab} overlap_by_one_half 5.1
   "a.low[i] <= b.high[i] && b.low[i] <= a.high[i]" "a.low[i] <= b.high[i]" "half of this is missing")
 
+# What has no volume is believed to be empty.
+add_mutant(${lab} area_of_flat_boxes 5.1
+  "if (!(w >= 0.0)) return 0.0;" "if (!(w > 0.0 && h > 0.0 && d > 0.0)) return 0.0;"
+  "flat box has two faces")
+
 # ---- 5.2 ----
+
+# A reference is believed to follow what it refers to. Here the place that it keeps is still there.
+add_mutant(${lab} node_reference_kept 5.2
+  "    bvh.nodes[index] = node;"
+  "    node.box = end - begin > leaf_size && depth == 0 && bvh.nodes.size() > 3 ? Box{} : node.box;
+    bvh.nodes[index] = node;" "reference to a node is kept")
 
 # The middle of the span is taken for the median.
 add_mutant(${lab} halved_by_place 5.2
@@ -118,6 +129,12 @@ add_mutant(${lab} first_unsorted 5.3
 }
 
 // ---- Step 5.4 ----" "not sorted")
+
+# Leaves are thought of, though the words do not.
+add_mutant(${lab} first_is_complete 5.3
+  "Traversal traverse_as_first_written(const Bvh& a, const Bvh& b) {"
+  "Traversal traverse_as_first_written(const Bvh& a, const Bvh& b) {
+  if (!a.nodes.empty()) return traverse(a, b);" "complete version of step 5.4")
 
 # ---- 5.4 ----
 
@@ -250,6 +267,12 @@ add_mutant(${lab} sah_along_one_axis 5.6
   "int widest = 0;
   (spread.high - spread.low).maxCoeff(&widest);
   for (int axis = widest; axis == widest; ++axis) {" "only the axis of the widest spread")
+
+# The loop over the planes ends one too early.
+add_mutant(${lab} sah_without_last_plane 5.6
+  "for (std::size_t i = 1; i < size; ++i) {
+      left.add" "for (std::size_t i = 1; i + 1 < size; ++i) {
+      left.add" "last plane is left out")
 
 # The median is believed to do as well.
 add_mutant(${lab} sah_is_median 5.6

@@ -82,6 +82,11 @@ TEST_CASE("Four triangles in a row are halved in the middle", "[5.2]") {
     }
     mesh.triangles.push_back({first, first + 1, first + 2});
   }
+  // Of seven nodes first: three of them have children, so that more can be told of a mistake.
+  const Trial single = Trial("5.2 build_median").given("mesh", code(mesh)).given("leaf_size", 1.0);
+  const Bvh singles = single.returned([&] { return build_median(mesh, 1); });
+  tests::expect_structure(single, singles, mesh, 1);
+
   const Trial trial = Trial("5.2 build_median").given("mesh", code(mesh)).given("leaf_size", 2.0);
   const Bvh bvh = trial.returned([&] { return build_median(mesh, 2); });
   tests::expect_structure(trial, bvh, mesh, 2);

@@ -43,6 +43,7 @@ inline double weight(const lab::Box& box, double number, Weight kind) {
 struct Sides {
   lab::Box left, right;
   double in_left = 0.0, in_right = 0.0;
+  std::size_t plane = 0;  ///< behind so many bins
 };
 
 inline std::vector<Sides> planes(const std::vector<Item>& items, Eigen::Index axis, int bins) {
@@ -77,6 +78,7 @@ inline std::vector<Sides> planes(const std::vector<Item>& items, Eigen::Index ax
   for (std::size_t k = 1; k < count; ++k) {
     sides[k].left = joined(sides[k - 1].left, box[k - 1]);
     sides[k].in_left = sides[k - 1].in_left + number[k - 1];
+    sides[k].plane = k;
   }
   lab::Box right;
   for (std::size_t k = count; k-- > 1;) {

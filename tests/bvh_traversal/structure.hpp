@@ -107,6 +107,27 @@ inline const std::string too_deep =
     "the tree is too deep: where no cut parts the triangles, halve them by number";
 inline const std::string leaf_too_large = "a leaf holds more than leaf_size triangles";
 
+inline const std::string kept_reference =
+    "a reference to a node is kept while `nodes` grows, which moves them all: build the node, and "
+    "write nodes[index] at the end";
+
+/// How many nodes have the empty box that a node is made with. Where the root has and other inner
+/// nodes have not, it was set in a place that the nodes have left.
+inline void expect_boxes_set(const Trial& trial, const lab::Bvh& bvh) {
+  const lab::Box made;
+  const auto as_made = [&](const lab::BvhNode& node) {
+    return node.box.low == made.low && node.box.high == made.high;
+  };
+  const auto is_set = [&](const lab::BvhNode& node) { return !is_leaf(node) && !as_made(node); };
+  const std::vector<lab::BvhNode>& nodes = bvh.nodes;
+  const bool moved =
+      !nodes.empty() && as_made(nodes[0]) && std::any_of(nodes.begin(), nodes.end(), is_set);
+  trial.of("the boxes of the nodes")
+      .expect_small("how many are empty, as a node is made",
+                    static_cast<double>(std::count_if(nodes.begin(), nodes.end(), as_made)),
+                    exactly, moved ? kept_reference : "");
+}
+
 inline void expect_finite(const Trial& trial, const lab::Bvh& bvh) {
   trial.of("the boxes of the nodes")
       .expect_small("1 where one is not finite",
@@ -117,6 +138,7 @@ inline void expect_finite(const Trial& trial, const lab::Bvh& bvh) {
 /// Requires that it is a Bvh of the mesh; returns its shape.
 inline Shape expect_structure(const Trial& trial, const lab::Bvh& bvh,
                               const common::TriangleMesh& mesh, int leaf_size) {
+  expect_boxes_set(trial, bvh);
   expect_finite(trial, bvh);
   trial.of("the links")
       .expect_small(

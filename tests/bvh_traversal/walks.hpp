@@ -38,6 +38,11 @@ inline std::vector<Named> mistakes_of(bool completed) {
                      "leaf that is bigger"});
   }
   for (Named& n : named) n.walk.leaves = n.walk.leaves && completed;
+  if (!completed) {
+    named.push_back({Walk{},
+                     "this is the complete version of step 5.4: as first written it ends "
+                     "at the first bigger node that is a leaf"});
+  }
   return named;
 }
 

@@ -6,6 +6,7 @@
 #include "bad_input.hpp"
 #include "catch.hpp"
 #include "common/double_double.hpp"
+#include "narrow.hpp"
 
 using namespace lab::continuous_particle_cylinder;
 using common::DoubleDouble;
@@ -223,6 +224,77 @@ TEST_CASE("A pass within the tolerance is a hit and one beyond it is none", "[4.
           .expect(Time{advanced(query, tolerance).time}, wanted,
                   {2.0 * std::sqrt(0.21 * tolerance), "within the tolerance until the closest"});
     }
+  }
+}
+
+// φ and t are sums of whole numbers, so that none of them is rounded.
+TEST_CASE("Advancement that arrives exactly at dt is an impact", "[4.3]") {
+  for (const double speed : {1.0, 2.0, 0.25}) {
+    for (const double way : {1.0, 2.0, 64.0}) {
+      for (const double tolerance : {1e-6, 1e-300}) {
+        const double dt = way / speed;
+        const Query query = tests::query({5, -1.0 - way, 0}, {7, speed, 0}, dt, 0.75, 0.25);
+        const auto here = trial(query, tolerance);
+        const Advancement got = advanced(query, tolerance);
+        Query longer = query;
+        longer.dt = 1.001 * dt;
+        here.expect(Time{got.time}, Time{dt}, {0.0, "whole numbers"}, [&] {
+          const bool right_beside = advanced(longer, tolerance).time == dt;
+          return right_beside
+                     ? tests::TimeSuspects{{{}, "an arrival at dt is lost: t > dt is past it"}}
+                     : tests::TimeSuspects{};
+        });
+        here.of("iterations")
+            .expect(static_cast<double>(got.iterations), 2.0, {0.0, "before and after"});
+        Query shorter = query;
+        shorter.dt = std::nextafter(dt, 0.0);
+        trial(shorter, tolerance)
+            .expect(Time{advanced(shorter, tolerance).time}, Time{}, {0.0, "t is past dt"},
+                    tests::TimeSuspects{{{dt}, "dt is ignored: that impact is after it"}});
+      }
+    }
+  }
+}
+
+TEST_CASE("A gap just above the tolerance is none", "[4.3]") {
+  for (const double tolerance : {0.5, 0.0078125}) {
+    for (const double share : {1e-9, 1e-12, 256.0 * eps}) {
+      for (const double speed : {0.0, 1.0}) {  // at rest, and on its way out
+        const double gap = tolerance * (1.0 + share);
+        const Query query = tests::query({0, 0, 1.0 + gap}, {0, 0, speed}, 1.0, 0.75, 0.25);
+        if (gap - tolerance < 8.0 * eps) continue;  // nor may rounding decide
+        trial(query, tolerance)
+            .expect(Time{advanced(query, tolerance).time}, Time{},
+                    {0.0, "it never is within the tolerance"},
+                    tests::TimeSuspects{{{0.0}, "the tolerance is taken too wide"}});
+      }
+    }
+  }
+}
+
+TEST_CASE("Advancement ends where t cannot grow any more", "[4.3]") {
+  // The last gaps are roundings of a place 81 away, and φ/|v| is less than half an ulp of t. There
+  // t stays; an answer that goes on until φ ≤ tolerance never ends.
+  const auto ends = [](const Query& query, double tolerance, int index, int count) {
+    const Advancement got = advanced(query, tolerance);
+    const auto here = trial(query, tolerance, index, count);
+    const Vec3& x = query.particle.position;
+    const double steep = std::sqrt(1.0 - std::pow(tests::offset_of(query) / rho(query), 2));
+    const double way = 8.0 * eps * (std::hypot(x.y(), x.z()) + 2.0 * rho(query)) / steep;
+    here.expect(
+        Time{got.time}, tests::time_of(query),
+        {way * got.iterations / speed_of(query), "8 eps of the lengths for each evaluation"});
+    here.expect_small("evaluations", got.iterations, {400.0, "each leaves 1 - cos of the gap"});
+  };
+  ends(tests::query({0, -81.054912723692809, 0.61900124472615581}, {0, 14.993368607812629, 0}, 10.0,
+                    0.5, 0.5),
+       8.1e-16, 1, 201);
+  tests::Random random(4323);
+  for (int i = 2; i <= 201; ++i) {
+    const double distance = tests::power_of_ten(random, 0.1, 3.0);
+    const double offset = random.uniform(-0.8, 0.8);
+    const Query query = tests::aimed(random, {distance, offset, random.uniform(1.0, 20.0)});
+    ends(query, tests::power_of_ten(random, -300.0, -15.0), i, 201);
   }
 }
 

@@ -1,5 +1,6 @@
 #include "bad_input.hpp"
 #include "catch.hpp"
+#include "narrow.hpp"
 
 using namespace lab::continuous_particle_cylinder;
 using tests::infinity;
@@ -140,6 +141,42 @@ TEST_CASE("A batch of touching and grazing paths is right to one ulp", "[4.5]") 
   }
 }
 
+TEST_CASE("A batch finds nothing where paths stay outside narrowly", "[4.5]") {
+  const auto in_a_batch = [](const Query& query) {
+    Batch batch;
+    batch.particles.radius = query.particle.radius;
+    batch.cylinder = query.cylinder;
+    batch.dt = query.dt;
+    for (int i = 0; i < 9; ++i)
+      add(batch.particles, query.particle.position, query.particle.velocity);
+    return batch_time(times_of_impact(batch.particles, batch.cylinder, batch.dt)[8]).seconds;
+  };
+  tests::expect_narrow_misses_missed(batch_step, in_a_batch, 453);
+}
+
+TEST_CASE("A batch of no particles refuses bad arguments as any other", "[4.5]") {
+  const std::string likely =
+      "dt and the radii are not checked where there are no particles: the checks come first";
+  const Query good = tests::query({0, 10, 20}, {0, -1, 0}, 1.0);
+  for (const auto& [why, query] : tests::bad_queries()) {
+    const bool shared = query.dt != good.dt || query.cylinder.radius != good.cylinder.radius ||
+                        query.particle.radius != good.particle.radius;  // by all particles
+    if (!shared) continue;
+    MovingParticles none;
+    none.radius = query.particle.radius;
+    tests::Trial(batch_step)
+        .given("number of particles", 0.0)
+        .given("particles.radius", query.particle.radius)
+        .given("cylinder.radius", query.cylinder.radius)
+        .given("dt", query.dt)
+        .expect_throw(
+            [&, &query = query] {
+              return static_cast<double>(times_of_impact(none, query.cylinder, query.dt).size());
+            },
+            why, likely);
+  }
+}
+
 TEST_CASE("A batch refuses bad arguments wherever they stand", "[4.5]") {
   const std::string likely = "the arguments are not checked: each must throw std::invalid_argument";
   for (const auto& [why, query] : tests::bad_queries()) {
@@ -167,6 +204,25 @@ TEST_CASE("A batch refuses bad arguments wherever they stand", "[4.5]") {
 TEST_CASE("A batch refuses arrays of different lengths", "[4.5]") {
   const Batch whole = with_tie(tests::ties()[0], 9, 9);
   for (int array = 0; array < 4; ++array) {
+    MovingParticles one_filled;
+    MovingParticles one_empty = whole.particles;
+    std::vector<double>* const filled[] = {&one_filled.y, &one_filled.z, &one_filled.velocity_y,
+                                           &one_filled.velocity_z};
+    std::vector<double>* const emptied[] = {&one_empty.y, &one_empty.z, &one_empty.velocity_y,
+                                            &one_empty.velocity_z};
+    filled[array]->resize(3, 1.0);
+    emptied[array]->clear();
+    for (const MovingParticles& p : {one_filled, one_empty}) {
+      tests::Trial(batch_step)
+          .given("lengths", Vec3(static_cast<double>(p.y.size()), static_cast<double>(p.z.size()),
+                                 static_cast<double>(p.velocity_y.size())))
+          .expect_throw(
+              [&, &p = p] {
+                return static_cast<double>(times_of_impact(p, whole.cylinder, whole.dt).size());
+              },
+              "the arrays differ in length, though one is empty",
+              "the lengths of the four arrays are not compared");
+    }
     for (const int change : {-1, 1}) {
       Batch batch = whole;
       MovingParticles& p = batch.particles;

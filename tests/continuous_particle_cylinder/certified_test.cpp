@@ -3,6 +3,7 @@
 #include "bad_input.hpp"
 #include "catch.hpp"
 #include "judge_ties.hpp"
+#include "narrow.hpp"
 
 using namespace lab::continuous_particle_cylinder;
 using tests::Query;
@@ -135,6 +136,15 @@ TEST_CASE("The certified root is right to one ulp at the slowest next to the sur
 
 TEST_CASE("The certified root is right on paths that graze by an ulp", "[4.3]") {
   expect_all_hard_certain(tests::grazing_query, 435, 1000);
+}
+
+TEST_CASE("The certified root is right on oblique paths that graze from near or far", "[4.3]") {
+  expect_all_hard_certain(tests::oblique_grazing_query, 4314, 500);
+}
+
+TEST_CASE("The certified root finds nothing where a path stays outside by a few ulp", "[4.3]") {
+  tests::expect_narrow_misses_missed(certified_step, certified, 4315,
+                                     {8.0 * tests::eps, 256.0 * tests::eps, 1e-12, 1e-9, 5e-8});
 }
 
 TEST_CASE("The certified root is right where the impact is within an ulp of dt", "[4.3]") {

@@ -98,6 +98,31 @@ TEST_CASE("Samples miss a passage that is shorter than their spacing", "[4.6]") 
   }
 }
 
+// Whole numbers but for the share: an edge of half length 3 that passes along its own line, rests,
+// or comes square to itself, for too short a time.
+TEST_CASE("An edge that stays outside narrowly has no impact", "[4.6]") {
+  const std::string likely = "a near miss is taken for a hit: signs are to be exact";
+  for (const double share : {4.0 * tests::eps, 1e-12, 1e-9, 5e-8}) {
+    const double z = 2.0 * (1.0 + share);
+    const auto edge = [&](double height, const Vec3& v, double dt) {
+      return EdgeCase{{{0.0, -3.0, height}, {1.0, 3.0, height}, v, v, 0.5}, 1.5, dt};
+    };
+    for (const EdgeCase& c :
+         {edge(z, {0.0, 1.0, 0.0}, 2.0), edge(z, {9.0, 0.0, 0.0}, 2.0),
+          edge(4.0, {0.0, 0.0, -1.0}, 2.0 * (1.0 - share)), edge(z, {0.0, 0.0, 1.0}, 2.0)}) {
+      const tests::Trial trial = edge_trial(c);
+      const Time got = trial.returned([&] { return edge_time(c); });
+      EdgeCase beside = c;
+      beside.R -= 0.02;
+      trial.expect(
+          got, Time{}, {0.0, "it stays outside by " + tests::text(share) + " of rho"}, [&] {
+            const bool right_beside = !edge_time(beside).seconds;
+            return right_beside ? tests::TimeSuspects{{got, likely}} : tests::TimeSuspects{};
+          });
+    }
+  }
+}
+
 TEST_CASE("A moving edge that is no edge is refused", "[4.6]") {
   const auto bad = bad_edges();
   int index = 0;

@@ -3,6 +3,7 @@
 #include "bad_input.hpp"
 #include "catch.hpp"
 #include "judge_ties.hpp"
+#include "narrow.hpp"
 
 using namespace lab::continuous_particle_cylinder;
 using tests::eps;
@@ -149,6 +150,11 @@ TEST_CASE("Farther than eps allows the textbook root misses hits and finds false
   const auto trial = tests::trial(textbook_step, query);
   trial.expect_small("1 - hits missed", 1.0 - missed, {0.0, "200 paths through the axis"}, likely);
   trial.expect_small("1 - false hits", 1.0 - false_hits, {0.0, "200 paths 3 rho beside"}, likely);
+}
+
+TEST_CASE("Near one the textbook root finds nothing where a path stays outside narrowly", "[4.1]") {
+  // Up to 5 ρ away the discriminant is off by 5.5 eps · 25 of 4 a ρ², and 1e-12 is 4504 eps.
+  tests::expect_narrow_misses_missed(textbook_step, textbook, 414, {1e-12, 1e-10, 1e-9, 5e-8});
 }
 
 TEST_CASE("The textbook root refuses bad arguments", "[4.1]") {

@@ -19,6 +19,13 @@ tests::Trial contact_trial(const Meeting& m, int index = 1, int count = 1) {
   return tests::trial_of("3.2 contact", m, index, count).given("time", m.time);
 }
 
+/// Of a contact where the surfaces are a little apart: there may be one wherever they are.
+std::string why_apart() {
+  return contact(Vec3(0.0, 0.0, 9.0), 0.5, Cylinder{1.0}, 0.0) ? "a contact is returned where the "
+                                                                 "surfaces are apart"
+                                                               : story::tolerance;
+}
+
 /// Right angles in whole numbers, whose root is exact; R + r is the hypotenuse.
 std::vector<Meeting> touching_meetings() {
   std::vector<Meeting> all;
@@ -66,6 +73,19 @@ TEST_CASE("Where the surfaces are apart there is no contact", "[3.2]") {
                                                               "surfaces are apart"}});
     const Meeting inside = tests::random_meeting(random, 1.0 - 0.05 * share);
     tests::expect_contact(contact_trial(inside, i, 50), contact_of(inside), inside);
+  }
+}
+
+TEST_CASE("A particle above or below touching by a few ulp is judged rightly", "[3.2]") {
+  // Straight above the axis nothing is rounded.
+  int index = 0;
+  for (const double share : {1e-9, 1e-12, 4.0 * tests::eps}) {
+    const Meeting apart{Vec3(1.0, 0.0, 1.5 * (1.0 + share)), 0.5, {1.0}, 1.0};
+    contact_trial(apart, ++index, 3)
+        .expect(Presence{contact_of(apart)}, Presence{}, {0.0, "the gap is above zero"},
+                {{Presence{ParticleContact{}}, why_apart()}});
+    const Meeting inside{Vec3(1.0, 0.0, 1.5 * (1.0 - share)), 0.5, {1.0}, 1.0};
+    tests::expect_contact(contact_trial(inside, index, 3), contact_of(inside), inside);
   }
 }
 

@@ -18,6 +18,9 @@ inline const std::string line =
 inline const std::string middle = "the middle is taken for the nearest point";
 inline const std::string edges_only =
     "only the edges are looked at: the axis may go through between them";
+inline const std::string length_in_space =
+    "the edge's length is that in space: the fraction is a share of what the yz-plane shows";
+inline const std::string edge_left_out = "one of the three edges is never looked at";
 inline const std::string passes_through =
     "the axis is said to go through and does not: areas of the size of rounding have no sign";
 }  // namespace story
@@ -64,11 +67,27 @@ inline double distance_in_space(const Vec3& a, const Vec3& b) {
   return (a + share * edge).norm();
 }
 
+/// Where the foot would be if it was divided by the square of the length in space, from a on or
+/// from the nearer end.
+inline Exact distance_by_length_in_space(const Vec3& a, const Vec3& b, bool from_nearer) {
+  if (from_nearer && square(b) < square(a)) return distance_by_length_in_space(b, a, false);
+  const ExactPoint edge = exact(b) - exact(a);
+  const Exact along_x = Exact(b.x()) - a.x();
+  const Exact length_squared = square(edge) + along_x * along_x;
+  if (length_squared == 0) return distance(a);
+  const Exact share = -dot(exact(a), edge) / length_squared;
+  return distance_at(a, b, std::clamp(share, Exact(0), Exact(1)));
+}
+
 inline std::vector<Suspect<double>> suspects_of_edge(const Edge& e) {
   const auto& [a, b] = e.p;
   const Exact least = edge_distance(a, b);
   const auto foot = foot_on_line(a, b);
-  return {{e.gap_of(std::min(distance(a), distance(b))), story::ends_only},
+  const Exact from_nearer = distance_by_length_in_space(a, b, true);
+  const Exact from_a = distance_by_length_in_space(a, b, false);
+  return {{e.gap_of(from_nearer), story::length_in_space},
+          {e.gap_of(from_a == from_nearer ? least : from_a), story::length_in_space},
+          {e.gap_of(std::min(distance(a), distance(b))), story::ends_only},
           {e.gap_of(foot ? distance_at(a, b, *foot) : least), story::line},
           {e.gap_of(distance_at(a, b, Exact(0.5))), story::middle},
           {rounded(least - e.cylinder.radius), story::no_r},
@@ -106,7 +125,24 @@ inline std::vector<Suspect<double>> suspects_of_triangle(const Triangle& t) {
   };
   const Exact lines = pierced(t.p) ? Exact(0) : std::min({line(a, b), line(b, c), line(c, a)});
   const auto middle = [](const Vec3& p, const Vec3& q) { return distance_at(p, q, Exact(0.5)); };
-  return {{t.gap_of(edges_distance(t.p)), story::edges_only},
+  const auto in_space = [&](bool from_nearer) {
+    if (pierced(t.p)) return Exact(0);
+    return std::min({distance_by_length_in_space(a, b, from_nearer),
+                     distance_by_length_in_space(b, c, from_nearer),
+                     distance_by_length_in_space(c, a, from_nearer)});
+  };
+  const Exact nearer = in_space(true);
+  const Exact first = in_space(false);
+  // The nearest edge is one of three: what is left without another is right.
+  const auto without = [&](const Vec3& p, const Vec3& q, const Vec3& r) {
+    return t.gap_of(pierced(t.p) ? least : std::min(edge_distance(p, q), edge_distance(q, r)));
+  };
+  return {{without(a, b, c), story::edge_left_out},
+          {without(b, c, a), story::edge_left_out},
+          {without(c, a, b), story::edge_left_out},
+          {t.gap_of(nearer), story::length_in_space},
+          {t.gap_of(first == nearer ? least : first), story::length_in_space},
+          {t.gap_of(edges_distance(t.p)), story::edges_only},
           {t.gap_of(std::min({distance(a), distance(b), distance(c)})), story::ends_only},
           {t.gap_of(distance_at(t.p, Vec3::Constant(1.0 / 3.0))), story::middle},
           {t.gap_of(std::min({middle(a, b), middle(b, c), middle(c, a)})), story::middle},

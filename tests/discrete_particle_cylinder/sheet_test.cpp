@@ -122,6 +122,30 @@ TEST_CASE("An edge or a triangle of a sheet that only touches is in contact", "[
               {{tests::IndexList{}, story::touching}, {tests::IndexList{}, story::ends_only}});
 }
 
+TEST_CASE("An edge just outside is free and one just inside is not", "[3.6]") {
+  // ρ is 5; the middle of the edge is straight above the axis, where nothing is rounded.
+  int index = 0;
+  for (const double share : {1e-9, 1e-12, 64.0 * tests::eps, -1e-9, -1e-12, -64.0 * tests::eps}) {
+    const double y = 5.0 * (1.0 + share);
+    const Sheet sheet =
+        one_triangle({Vec3(1.0, y, -1.0), Vec3(2.0, y, 1.0), Vec3(0.0, 8.0, 0.0)}, 1.0);
+    const Cylinder cylinder{4.0};
+    const SheetContacts got = sheet_contacts(sheet, cylinder);
+    const tests::IndexList none;
+    const tests::IndexList first{{0}};
+    const tests::IndexList& wanted = share > 0.0 ? none : first;
+    std::vector<tests::Suspect<tests::IndexList>> suspects;
+    if (share > 0.0) suspects.push_back({first, story::tolerance});
+    const tests::Trial trial = tests::sheet_trial(sheet, cylinder, ++index, 6);
+    trial.of("the edges")
+        .expect(tests::IndexList{got.edges}, wanted, {0.0, "it is off by more than rounding"},
+                suspects);
+    trial.of("the triangles")
+        .expect(tests::IndexList{got.triangles}, wanted, {0.0, "it is off by more than rounding"},
+                suspects);
+  }
+}
+
 TEST_CASE("A sheet may lack triangles or edges or all", "[3.6]") {
   tests::Random random(374);
   Sheet sheet = random_sheet(random);

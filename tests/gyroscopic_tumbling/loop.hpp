@@ -90,6 +90,7 @@ inline void expect_loop(const Trial& trial, const lab::gyroscopic_tumbling::Rigi
       {{.old_velocities = true}, "the old velocities move x and q: velocities come first"},
       {{.body_side = true}, "omega stands on the right of q: that is for an omega in body axes"},
       {{.half = 1}, "the factor 1/2 is missing: q turns twice as far"},
+      {{.half = 0}, "q does not change: 1/2 is 0 in whole numbers"},
       {{.projected = false}, "the quaternion is not normalised"}};
   std::vector<Suspect<common::Vec3>> velocities;
   std::vector<Suspect<common::Vec3>> positions;

@@ -119,6 +119,7 @@ TEST_CASE("One two three on moments one two three has an energy of eighteen", "[
         .expect(rotational_energy(moments, spin), 18.0,
                 {128.0 * eps * 18.0, "some 60 operations where it is made in the world"},
                 {{36.0, "the factor 1/2 is missing"},
+                 {0.0, "1/2 is 0 in whole numbers"},
                  {7.0, "omega stands in it once only: want omega . I omega"},
                  {0.5 * world.dot(moments.cwiseProduct(world)),
                   "omega was turned into the world, the inertia was not"},
@@ -140,6 +141,7 @@ TEST_CASE("The energy is half of omega times angular momentum whatever the attit
                 {512.0 * eps * wanted,
                  "some 60 operations where it is made in the world, with moments a factor 4 apart"},
                 {{2.0 * wanted, "the factor 1/2 is missing"},
+                 {0.0, "1/2 is 0 in whole numbers"},
                  {0.5 * world.dot(moments.cwiseProduct(world)),
                   "omega was turned into the world, the inertia was not"}});
   }
@@ -216,8 +218,9 @@ TEST_CASE("Moments that no body can have are an error", "[2.1]") {
       {{1.0, 0.0, 1.0}, positive},         {{1.0, 1.0, -1.0}, positive},
       {{-1.0, -1.0, -1.0}, positive},      {{1.0, nan, 1.0}, finite},
       {{infinity, infinity, 1.0}, finite}, {{1.0, 2.0, 3.1}, triangle},
-      {{1.0, 2.0 + 1e-9, 1.0}, triangle},  {{1.0, 1.0, 2.0 + 6e-14}, triangle},
-      {{1e-9, 1e-9, 3e-9}, triangle},      {{7.0, 1.0, 1.0}, triangle}};
+      {{1.0, 2.0 + 1e-9, 1.0}, triangle},  {{2.0 + 2e-12, 1.0, 1.0}, triangle},
+      {{1.0, 1.0, 2.0 + 6e-14}, triangle}, {{1e-9, 1e-9, 3e-9}, triangle},
+      {{7.0, 1.0, 1.0}, triangle}};
   int index = 0;
   for (const Bad& bad : all) {
     const char* const likely = bad.why == triangle   ? "the triangle inequality is not checked"

@@ -37,7 +37,8 @@ std::string likely_increment(const Vec3& moments, const Vec3& momentum, double d
   }
   if (residual(moments, momentum, dt, p, 0) < fits)
     return "the term (I_k - I_j) p_j p_k is missing";
-  if (residual(moments, momentum, dt, p, 1, 1) < fits) return "the factor 2 is missing";
+  if (residual(moments, momentum, dt, p, 1, 1) < fits)
+    return "the 2 of eq. (24) is missing, or the half of dt m when it is on the other side";
   const Quat unnormalised(1.0, p.x(), p.y(), p.z());
   if (std::abs(p.w() - 1.0) < fits &&
       residual(moments, momentum, dt, unnormalised.normalized()) < fits) {
@@ -142,6 +143,14 @@ TEST_CASE("An increment exists at 0.9 of the limit and none at 1.1", "[2.8]") {
         .expect_throw<std::domain_error>(
             [&] { return moser_veselov_increment(moments, 1.1 * limit, 1.0); },
             "sin of the angle would be 1.1");
+    for (const double share : {1e-3, 1e-6, 1e-9, 1e-12}) {
+      Trial(increment, axis + 1, 3)
+          .given("angular_momentum_body", Vec3((1.0 + share) * limit))
+          .expect_throw<std::domain_error>(
+              [&] { return moser_veselov_increment(moments, (1.0 + share) * limit, 1.0); },
+              "sin of the angle would be above 1, by far more than rounding",
+              "what nearly solves the equation is taken for a solution");
+    }
   }
 }
 

@@ -73,6 +73,8 @@ std::vector<tests::Suspect<tests::SpinValue>> rk4_suspects(const Vec3& moments, 
   return {{with({.gyroscopic = -1}), tests::flipped},
           {with({.gyroscopic = 0}), tests::forgotten},
           {with({.half = 1}), "the factor 1/2 is missing in dq/dt"},
+          {with({.half = 0}), "q does not change: 1/2 is 0 in whole numbers"},
+          {narrow(wide(spin)), "nothing happens: 1/6 and 1/3 are 0 in whole numbers"},
           {with({.world_side = true}), "omega stands on the left of q, but it is in body axes"},
           {with({.equal_weights = true}), "the four rates have equal weights, want 1, 2, 2, 1"},
           {with({.short_last = true}), "the fourth rate is taken at the middle, want the end"},
@@ -104,7 +106,8 @@ void expect_rate(const Trial& trial, const Vec3& moments, const Spin& spin) {
       .expect(Eigen::Vector4d(got.attitude.coeffs()).norm(),
               Eigen::Vector4d(attitude({}).coeffs()).norm(),
               {32.0 * eps * speed, "some 10 operations"},
-              {{attitude({.half = 1}).norm(), "the factor 1/2 is missing in dq/dt"}});
+              {{attitude({.half = 1}).norm(), "the factor 1/2 is missing in dq/dt"},
+               {0.0, "q does not change: 1/2 is 0 in whole numbers"}});
   // q and -q are one attitude, but a rate has a sign: shifted by q it cannot be mistaken.
   const auto shifted = [&](const Quat& dq) {
     return Quat(4.0 * (1.0 + speed) * spin.world_from_body.coeffs() + dq.coeffs());

@@ -113,6 +113,26 @@ TEST_CASE("Small angles keep all their digits", "[1.6]") {
   }
 }
 
+TEST_CASE("Up to 1e300 every turn is a unit quaternion", "[1.6]") {
+  // Along an axis the angle is exact, and sine and cosine take every double as it is.
+  int index = 0;
+  for (const double angle : {1e8, 1e100, 1e155, 1e300}) {
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 a = angle * Vec3::Unit(i);
+      Quat wanted(std::cos(0.5 * angle), 0.0, 0.0, 0.0);
+      wanted.vec()[i] = std::sin(0.5 * angle);
+      map_trial(a, ++index, 24).expect(exponential_map(a), wanted, {8.0 * eps, "sine and cosine"});
+      const Vec3 skewed = angle * Vec3(0.48, 0.6, 0.64);
+      const Quat turn = exponential_map(skewed);
+      map_trial(skewed, ++index, 24)
+          .expect_small("||q| - 1|", std::abs(turn.norm() - 1.0), {8.0 * eps, "to an ulp"});
+      map_trial(skewed, index, 24)
+          .expect_small("|axis x a|/|a|", turn.vec().cross(Vec3(0.48, 0.6, 0.64)).norm(),
+                        {8.0 * eps, "it turns about a"});
+    }
+  }
+}
+
 TEST_CASE("No turn is the identity", "[1.6]") {
   map_trial(Vec3::Zero())
       .expect(exponential_map(Vec3::Zero()), Quat(Quat::Identity()), {0.0, "cos 0 = 1, exactly"});
@@ -159,6 +179,26 @@ TEST_CASE("However slow the spin a step turns by it", "[1.6]") {
                  "a few roundings relative to itself; sin t = t but for t^3/6"},
                 {{Vec3(Vec3::Zero()), "small spins are thrown away by a guard that is too wide"}});
   }
+}
+
+TEST_CASE("At any size of omega and of dt a step turns by their product", "[1.6]") {
+  tests::Random random(66);
+  int index = 0;
+  for (const double size : {0x1p-900, 0x1p-300, 0x1p300, 0x1p900}) {
+    const Quat q = random.attitude();
+    const Vec3 omega(2.0 * size, 3.0 * size, 6.0 * size);
+    const double dt = 0.25 / size;
+    exponential_trial(q, omega, dt, ++index, 5)
+        .expect(step_exponential(q, omega, dt), product(exact_exponential({0.5, 0.75, 1.5}), q),
+                {18.0 * eps, "the map's rounding and one product"}, suspects_of_step(q, omega, dt));
+  }
+  // The end of the range: 2^996 = 6.7e299, a product of powers of two.
+  const Quat q = random.attitude();
+  const Vec3 omega(0x1p600, 0.0, 0.0);
+  const Quat turn(std::cos(0x1p995), std::sin(0x1p995), 0.0, 0.0);
+  exponential_trial(q, omega, 0x1p396, ++index, 5)
+      .expect(step_exponential(q, omega, 0x1p396), product(turn, q),
+              {16.0 * eps, "sine, cosine and one product"});
 }
 
 TEST_CASE("A constant spin is exact at any step size", "[1.6]") {

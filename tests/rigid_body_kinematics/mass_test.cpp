@@ -24,15 +24,18 @@ std::vector<tests::Suspect<Vec3>> suspects_of_torque(const Vec3& center,
                                                      const std::vector<AppliedForce>& forces) {
   Vec3 about_origin = Vec3::Zero();
   Vec3 right = Vec3::Zero();
-  Vec3 last = Vec3::Zero();
+  std::vector<Vec3> torques{Vec3::Zero()};
   for (const AppliedForce& applied : forces) {
-    last = (applied.point - center).cross(applied.force);
-    right += last;
+    torques.push_back((applied.point - center).cross(applied.force));
+    right += torques.back();
     about_origin += applied.point.cross(applied.force);
   }
   return {{-right, "the cross product is the wrong way round: f x r"},
           {about_origin, "the torque is about the world's origin: p where p - x belongs"},
-          {last, "only the last force counts: = where += belongs"},
+          {torques.back(), "only the last force counts: = where += belongs"},
+          {torques[forces.empty() ? 0 : 1], "only the first force counts"},
+          {right - torques.back(), "the last force is left out"},
+          {right - torques[forces.empty() ? 0 : 1], "the first force is left out"},
           {Vec3::Zero(), "no force makes a torque"}};
 }
 
@@ -54,6 +57,8 @@ void expect_wrench(const Trial& trial, const Wrench& got, const Wrench& wanted, 
   if (!forces.empty()) {
     suspects_of_force = {{forces.back().force, "only the last force counts: = where += belongs"},
                          {forces.front().force, "only the first force counts"},
+                         {wanted.force - forces.back().force, "the last force is left out"},
+                         {wanted.force - forces.front().force, "the first force is left out"},
                          {Vec3::Zero(), "no force is added up"}};
   }
   trial.of("the force")

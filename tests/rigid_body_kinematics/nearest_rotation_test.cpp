@@ -111,6 +111,15 @@ TEST_CASE("A flat matrix of rank two still gives the nearest rotation", "[1.4]")
   }
 }
 
+TEST_CASE("On either side of a determinant of zero the nearest rotation is the same", "[1.4]") {
+  tests::Random random(49);
+  int index = 0;
+  for (const double least : {1e-9, 1e-12, 4.0 * eps, -1e-9, -1e-12, -4.0 * eps}) {
+    const Mat3 U = random_rotation(random);
+    expect_nearest({U, Vec3(2.0, 1.0, least), random_rotation(random)}, ++index, 6);
+  }
+}
+
 TEST_CASE("No rotation is nearer than the one returned", "[1.4]") {
   tests::Random random(47);
   for (int i = 1; i <= 10; ++i) {

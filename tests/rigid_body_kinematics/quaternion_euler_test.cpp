@@ -12,6 +12,8 @@ using tests::Trial;
 
 namespace {
 
+const std::string half_is_zero = "nothing turns: 1/2 is 0 in whole numbers";
+
 Quat pure(const Vec3& v) { return {0.0, v.x(), v.y(), v.z()}; }
 
 Quat sum(const Quat& q, double factor, const Quat& rate) {
@@ -29,11 +31,13 @@ std::vector<tests::Suspect<Quat>> suspects_of(const Quat& q, const Vec3& omega, 
           {sum(q, 0.5, left).normalized(), "dt is missing"},
           {sum(q, 0.5 * dt, product(pure(omega), sum(q, 0.25 * dt, left))).normalized(),
            "this is the midpoint rule; this step asks for plain Euler"},
-          {q, "nothing turns: 1/2 is 0 in whole numbers, or small spins are thrown away"},
+          {q, half_is_zero},
           {sum(q, -0.5 * dt, left).normalized(), "it turns the wrong way: the sign of omega"},
           {sum(q, 0.5 * dt, pure(omega)).normalized(), "q is missing behind omega"},
           {sum(q, 0.5 * dt, product({omega.x(), omega.y(), omega.z(), 0.0}, q)).normalized(),
            "the order of the coefficients: Quat's constructor takes (w, x, y, z)"},
+          {sum(q, 0.5 * dt, product({omega.z(), 0.0, omega.x(), omega.y()}, q)).normalized(),
+           "the order of the coefficients: a Vector4d for Quat is (x, y, z, w)"},
           {product(tests::rotation(x, omega.normalized()), q),
            "this is the exact turn of step 1.6; this step asks for Euler"}};
 }
@@ -45,6 +49,13 @@ Trial step_trial(const Quat& q, const Vec3& omega, double dt, int index = 1, int
       .given("dt", dt);
 }
 
+/// Why an attitude stays where the spin is slow: if it does where the spin is not, it is no guard.
+std::string why_nothing_turns() {
+  const Quat q = step_quaternion_euler(Quat::Identity(), {2.0, 3.0, 6.0}, 0.25);
+  return q.vec().isZero() ? half_is_zero
+                          : "small spins are thrown away by a guard that is too wide";
+}
+
 /// How far a step of x = omega dt about z lags behind x, as a fraction of x.
 double lag(double x) {
   const Quat q = step_quaternion_euler(Quat::Identity(), Vec3::UnitZ(), x);
@@ -54,12 +65,20 @@ double lag(double x) {
 }  // namespace
 
 TEST_CASE("At two radians a step Euler turns a quarter turn", "[1.5]") {
-  // q = (1, 0, 0, 1)/sqrt2: 2 atan(x/2) at x = 2.
-  const Vec3 omega(0.0, 0.0, 8.0);
+  // q = (1, n)/sqrt2: 2 atan(x/2) at x = 2.
+  const Vec3 omega(2.0, 3.0, 6.0);  // of length 7
+  const double dt = 2.0 / 7.0;
   const Quat q = Quat::Identity();
-  step_trial(q, omega, 0.25)
-      .expect(step_quaternion_euler(q, omega, 0.25), Quat(std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)),
-              {4.0 * eps, "a root and a division"}, suspects_of(q, omega, 0.25));
+  const double share = std::sqrt(0.5) / 7.0;
+  step_trial(q, omega, dt)
+      .expect(step_quaternion_euler(q, omega, dt),
+              Quat(std::sqrt(0.5), 2.0 * share, 3.0 * share, 6.0 * share),
+              {4.0 * eps, "a root and a division"}, suspects_of(q, omega, dt));
+  const Vec3 about_z(0.0, 0.0, 8.0);
+  step_trial(q, about_z, 0.25)
+      .expect(step_quaternion_euler(q, about_z, 0.25),
+              Quat(std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)), {4.0 * eps, "a root and a division"},
+              suspects_of(q, about_z, 0.25));
 }
 
 TEST_CASE("A quaternion step goes along half of omega q and is normalised", "[1.5]") {
@@ -114,7 +133,7 @@ TEST_CASE("However slow the spin the quaternion turns by it", "[1.5]") {
         .expect(Vec3(q.vec()), Vec3(0.25 * omega),
                 {8.0 * eps * speed * 1.75 + 0.5 * std::pow(speed, 3) * 8.0,
                  "a few roundings relative to itself, and the length that (10) divides by"},
-                {{Vec3(Vec3::Zero()), "small spins are thrown away by a guard that is too wide"}});
+                {{Vec3(Vec3::Zero()), why_nothing_turns()}});
   }
 }
 
@@ -132,12 +151,26 @@ TEST_CASE("A quaternion step turns by twice the arc tangent of x over 2", "[1.5]
 }
 
 TEST_CASE("However large the step it never turns more than half a turn", "[1.5]") {
-  for (const double x : {4.0, 100.0, 1e8}) {
+  for (const double x : {4.0, 100.0, 1e8, 0.99e100}) {
     const Quat q = step_quaternion_euler(Quat::Identity(), Vec3::UnitX(), x);
     const Trial trial = step_trial(Quat::Identity(), Vec3::UnitX(), x);
     trial.expect(q, Quat(2.0 / std::hypot(2.0, x), x / std::hypot(2.0, x), 0.0, 0.0),
                  {8.0 * eps, "(2, x)/sqrt(4 + x^2): its real part is above zero for every x"},
                  suspects_of(Quat::Identity(), Vec3::UnitX(), x));
+  }
+}
+
+TEST_CASE("At any size of omega and of dt a quaternion step turns by their product", "[1.5]") {
+  int index = 0;
+  for (const double size : {0x1p-900, 0x1p-300, 0x1p300, 0x1p900}) {
+    const Vec3 omega(2.0 * size, 3.0 * size, 6.0 * size);
+    const double dt = 0.25 / size;
+    step_trial(Quat::Identity(), omega, dt, ++index, 4)
+        .expect(step_quaternion_euler(Quat::Identity(), omega, dt),
+                sum(Quat::Identity(), 0.125, pure({2.0, 3.0, 6.0})).normalized(),
+                {8.0 * eps, "omega dt is (1/2, 3/4, 3/2)"},
+                {{Quat::Identity(), size < 1.0 ? why_nothing_turns() : half_is_zero},
+                 {sum(Quat::Identity(), 0.5, pure(omega)).normalized(), "dt is missing"}});
   }
 }
 

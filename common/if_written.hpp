@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <exception>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,18 +10,23 @@
 
 namespace common {
 
-/// What `make` returns; nothing, and the step once in `missing`, where it needs one that is not
-/// written yet.
+inline void note_once(std::vector<std::string>& notes, const std::string& note) {
+  if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+}
+
+/// What `make` returns; nothing, and once in `missing` the step or the exception's words, where it
+/// needs a step that is not written yet or that throws.
 template <typename Make>
 auto if_written(std::vector<std::string>& missing, const Make& make)
     -> std::optional<decltype(make())> {
   try {
     return make();
   } catch (const NotImplemented& error) {
-    const std::string& step = error.step_and_function();
-    if (std::find(missing.begin(), missing.end(), step) == missing.end()) missing.push_back(step);
-    return std::nullopt;
+    note_once(missing, error.step_and_function());
+  } catch (const std::exception& error) {
+    note_once(missing, std::string("an exception: ") + error.what());
   }
+  return std::nullopt;
 }
 
 }  // namespace common

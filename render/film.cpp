@@ -6,12 +6,14 @@
 #include <future>
 #include <iomanip>
 #include <iostream>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
 
 #include "common/run_main.hpp"
 #include "render/atomic_file.hpp"
+#include "render/draw/scene_check.hpp"
 #include "render/draw/view.hpp"
 #include "render/film_facts.hpp"
 #include "render/film_options.hpp"
@@ -71,15 +73,25 @@ int frames_of(const FilmOptions& options) {
   return static_cast<int>(frames);
 }
 
+std::string time_stamp(double time) {
+  std::ostringstream out;
+  out << "t = " << std::fixed << std::setprecision(2) << time << " s";
+  return out.str();
+}
+
 void draw_frames(Renderer& renderer, const Film& film, const FilmOptions& options,
                  const StagedFolder& folder, int frames) {
   const double aspect = static_cast<double>(options.picture.width) / options.picture.height;
   const Camera camera = camera_framing(film.bounds, film.towards_eye, aspect);
   Progress progress("frame", frames);
+  std::map<std::string, double> broken;  // what is left out, and since when
   std::future<void> written;  // a frame is packed and written while the next one is drawn
   for (int frame = 0; frame < frames; ++frame) {
     const double time = std::min(options.to, options.from + frame / options.frames_per_second);
-    Image image = renderer.picture(film.scene_at(time), camera, options.picture);
+    Scene scene = film.scene_at(time);
+    for (const std::string& complaint : leave_out_broken(scene))
+      broken.try_emplace(complaint, time);
+    Image image = renderer.picture(scene, camera, options.picture);
     if (written.valid()) written.get();
     written = std::async(std::launch::async,
                          [image = std::move(image), file = folder.file(frame_file(frame))] {
@@ -88,6 +100,10 @@ void draw_frames(Renderer& renderer, const Film& film, const FilmOptions& option
     progress.show(frame + 1);
   }
   written.get();
+  for (const auto& [complaint, time] : broken) {
+    std::cerr << "left out from " << time_stamp(time) << ": " << complaint
+              << "; ./tumble test says which step it comes of\n";
+  }
 }
 
 // Width over height of what the bounds cover as the camera sees them, within what suits a tile.
@@ -97,12 +113,6 @@ double tile_aspect(const Film& film) {
   const double width = axes.right.cwiseAbs().dot(extent);
   const double height = axes.up.cwiseAbs().dot(extent);
   return std::clamp(width / std::max(height, 1e-9 * width), 0.75, 1.9);
-}
-
-std::string time_stamp(double time) {
-  std::ostringstream out;
-  out << "t = " << std::fixed << std::setprecision(2) << time << " s";
-  return out.str();
 }
 
 // The film's own times where all of it is shown; else as many, evenly over the part that is.
@@ -133,12 +143,14 @@ void draw_strip(Renderer& renderer, const Film& film, const FilmOptions& options
   std::vector<StripTile> tiles;
   for (const double time : times) {
     require(std::isfinite(time), "a time of the strip is not finite");
-    tiles.push_back({renderer.picture(film.scene_at(time), camera, picture), time_stamp(time)});
+    Scene scene = film.scene_at(time);
+    leave_out_broken(scene);
+    tiles.push_back({renderer.picture(scene, camera, picture), time_stamp(time)});
   }
   constexpr int widest = 1760;
   const int columns = strip_columns(static_cast<int>(tiles.size()), picture.width, widest);
   const std::string left_out =
-      film.missing.empty() ? "" : " (not written yet: " + listed(film.missing) + ")";
+      film.missing.empty() ? "" : " (left out: " + listed(film.missing) + ")";
   const StripText text{film.title, film.subtitle + left_out, film.parameters, film.measured};
   write_png(film_strip(tiles, text, columns), folder.file("strip.png"));
 }
@@ -147,7 +159,7 @@ void make(FilmOptions options, const std::function<Film()>& make_film) {
   const Film film = make_film();
   fit_to_film(options, film);
   if (!film.missing.empty()) {
-    std::cerr << "left out, since not written yet: " << listed(film.missing) << '\n';
+    std::cerr << "left out, since not written yet or broken: " << listed(film.missing) << '\n';
   }
   const int frames = frames_of(options);
   StagedFolder folder(options.folder, is_film_file);

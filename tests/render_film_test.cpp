@@ -114,6 +114,28 @@ TEST_CASE("The strip shows the part and the shape that are asked for", "[render_
   CHECK(strip_of({"--from", "0.5", "--to", "0.5"}) == Times{0.5, 0.5});
 }
 
+TEST_CASE("What an answer makes NaN is left out and told and the rest is drawn", "[render_film]") {
+  const ScratchFolder scratch;
+  const std::filesystem::path out = scratch.path() / "film";
+  const Outcome outcome = run({"--out", out.string(), "--size", "64x36", "--fps", "10"}, [] {
+    render::Film film = falling_box();
+    film.scene_at = [scene_at = film.scene_at](double time) {
+      render::Scene scene = scene_at(time);
+      render::Box box = scene.boxes[0];
+      if (time > 0.55) box.placement.world_from_body.setConstant(std::nan(""));
+      scene.boxes.push_back(box);
+      scene.boxes.push_back(scene.boxes[0]);
+      return scene;
+    };
+    return film;
+  });
+  CHECK(outcome.code == 0);
+  CHECK(outcome.said.find("left out from t = 0.60 s: box 1: orientation is not finite; ./tumble "
+                          "test says which step it comes of\n") != std::string::npos);
+  CHECK(outcome.said.find("box 2") == std::string::npos);
+  CHECK(files_in(out) == 11 + 2);
+}
+
 TEST_CASE("A start after the end of the film is told where that is", "[render_film]") {
   const Outcome outcome = run({"--out", "/nowhere/film", "--from", "99"});
   CHECK(outcome.code != 0);

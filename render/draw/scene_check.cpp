@@ -46,21 +46,36 @@ class Thing {
   std::size_t index_;
 };
 
-void check(const Thing& thing, const Box& box) { thing.finite("size", box.half_extents); }
+template <typename Solid>
+void check_solid(const Thing& thing, const Solid& solid) {
+  thing.finite(solid.placement);
+  thing.finite(solid.paint);
+}
 
-void check(const Thing& thing, const Sphere& sphere) { thing.finite("radius", sphere.radius); }
+void check(const Thing& thing, const Box& box) {
+  check_solid(thing, box);
+  thing.finite("size", box.half_extents);
+}
+
+void check(const Thing& thing, const Sphere& sphere) {
+  check_solid(thing, sphere);
+  thing.finite("radius", sphere.radius);
+}
 
 void check(const Thing& thing, const Cylinder& cylinder) {
+  check_solid(thing, cylinder);
   thing.finite("radius", cylinder.radius);
   thing.finite("length", cylinder.half_length);
 }
 
 void check(const Thing& thing, const Capsule& capsule) {
+  check_solid(thing, capsule);
   thing.finite("radius", capsule.radius);
   thing.finite("length", capsule.half_length);
 }
 
 void check(const Thing& thing, const Mesh& mesh) {
+  check_solid(thing, mesh);
   thing.finite("vertex", mesh.vertices);
   const int vertices = static_cast<int>(mesh.vertices.size());
   for (const std::array<int, 3>& triangle : mesh.triangles) {
@@ -73,72 +88,83 @@ void check(const Thing& thing, const Mesh& mesh) {
                 "lit has another length than triangles");
 }
 
-template <typename Solid>
-void check_solids(const char* kind, const std::vector<Solid>& solids) {
-  for (std::size_t i = 0; i < solids.size(); ++i) {
-    const Thing thing(kind, i);
-    thing.finite(solids[i].placement);
-    thing.finite(solids[i].paint);
-    check(thing, solids[i]);
-  }
+void check(const Thing& thing, const Cloth& cloth) {
+  thing.finite("point", cloth.points);
+  thing.finite(cloth.paint);
+  thing.require(
+      cloth.rows >= 0 && cloth.columns >= 0 &&
+          static_cast<std::size_t>(cloth.rows) * static_cast<std::size_t>(cloth.columns) ==
+              cloth.points.size(),
+      "points are not rows x columns");
 }
 
-void check_cloths(const std::vector<Cloth>& cloths) {
-  for (std::size_t i = 0; i < cloths.size(); ++i) {
-    const Cloth& cloth = cloths[i];
-    const Thing thing("cloth", i);
-    thing.finite("point", cloth.points);
-    thing.finite(cloth.paint);
-    thing.require(
-        cloth.rows >= 0 && cloth.columns >= 0 &&
-            static_cast<std::size_t>(cloth.rows) * static_cast<std::size_t>(cloth.columns) ==
-                cloth.points.size(),
-        "points are not rows x columns");
-  }
+void check(const Thing& thing, const Arrow& arrow) {
+  thing.finite("tail", arrow.tail);
+  thing.finite("tip", arrow.tip);
+  thing.finite("colour", arrow.colour);
+  thing.finite("width", arrow.width);
 }
 
-void check_decoration(const Scene& scene) {
-  for (std::size_t i = 0; i < scene.arrows.size(); ++i) {
-    const Thing thing("arrow", i);
-    thing.finite("tail", scene.arrows[i].tail);
-    thing.finite("tip", scene.arrows[i].tip);
-    thing.finite("colour", scene.arrows[i].colour);
-    thing.finite("width", scene.arrows[i].width);
-  }
-  for (std::size_t i = 0; i < scene.trails.size(); ++i) {
-    const Thing thing("trail", i);
-    thing.finite("point", scene.trails[i].points);
-    thing.finite("colour", scene.trails[i].colour);
-    thing.finite("width", scene.trails[i].width);
-  }
-  for (std::size_t i = 0; i < scene.contacts.size(); ++i) {
-    const Thing thing("contact", i);
-    thing.finite("point", scene.contacts[i].point);
-    thing.finite("normal", scene.contacts[i].normal);
-    thing.finite("length", scene.contacts[i].length);
-    thing.finite("colour", scene.contacts[i].colour);
-  }
-  for (std::size_t i = 0; i < scene.labels.size(); ++i) {
-    const Thing thing("label", i);
-    thing.finite("point", scene.labels[i].point);
-    thing.finite("colour", scene.labels[i].colour);
-    thing.finite("size", scene.labels[i].size);
-  }
+void check(const Thing& thing, const Trail& trail) {
+  thing.finite("point", trail.points);
+  thing.finite("colour", trail.colour);
+  thing.finite("width", trail.width);
+}
+
+void check(const Thing& thing, const ContactMark& contact) {
+  thing.finite("point", contact.point);
+  thing.finite("normal", contact.normal);
+  thing.finite("length", contact.length);
+  thing.finite("colour", contact.colour);
+}
+
+void check(const Thing& thing, const Label& label) {
+  thing.finite("point", label.point);
+  thing.finite("colour", label.colour);
+  thing.finite("size", label.size);
+}
+
+template <typename Visit>
+void for_each_list(const Visit& visit) {
+  visit("box", &Scene::boxes);
+  visit("sphere", &Scene::spheres);
+  visit("cylinder", &Scene::cylinders);
+  visit("capsule", &Scene::capsules);
+  visit("mesh", &Scene::meshes);
+  visit("cloth", &Scene::cloths);
+  visit("arrow", &Scene::arrows);
+  visit("trail", &Scene::trails);
+  visit("contact", &Scene::contacts);
+  visit("label", &Scene::labels);
 }
 
 }  // namespace
 
 void check_scene(const Scene& scene) {
-  check_solids("box", scene.boxes);
-  check_solids("sphere", scene.spheres);
-  check_solids("cylinder", scene.cylinders);
-  check_solids("capsule", scene.capsules);
-  check_solids("mesh", scene.meshes);
-  check_cloths(scene.cloths);
-  check_decoration(scene);
+  for_each_list([&](const char* kind, auto list) {
+    const auto& things = scene.*list;
+    for (std::size_t i = 0; i < things.size(); ++i) check(Thing(kind, i), things[i]);
+  });
   if (!std::isfinite(scene.ground_height)) {
     throw std::invalid_argument("ground: height is not finite");
   }
+}
+
+std::vector<std::string> leave_out_broken(Scene& scene) {
+  std::vector<std::string> broken;
+  for_each_list([&](const char* kind, auto list) {
+    std::size_t index = 0;
+    std::erase_if(scene.*list, [&](const auto& thing) {
+      try {
+        check(Thing(kind, index++), thing);
+        return false;
+      } catch (const std::invalid_argument& error) {
+        broken.emplace_back(error.what());
+        return true;
+      }
+    });
+  });
+  return broken;
 }
 
 }  // namespace render

@@ -83,7 +83,7 @@ class Page(KitTestCase):
         self.assertTrue({f"{LAB}/{variant}/film/strip.png" for variant in ("student", "reference")}
                         <= set(reader.files))
         self.assertIn(f"{LAB}/reference/chart/chart.svg", reader.files)
-        for words in ("Your answer", "Reference", "1.3 net_wrench", "not written yet: implicit",
+        for words in ("Your answer", "Reference", "1.3 net_wrench", "not written yet or broken: implicit",
                       "./tumble frames 1 --solution", "./tumble chart 1 --solution"):
             self.assertIn(words, reader.text)
 
@@ -105,7 +105,7 @@ class Page(KitTestCase):
             for variant in ("student", "reference")])
         self.assertEqual(reader.tags.count("h4"), 4)
         self.assertEqual(reader.tags.count("script"), 1)
-        self.assertEqual(reader.text.count("not written yet: implicit"), 2)
+        self.assertEqual(reader.text.count("not written yet or broken: implicit"), 2)
         self.assertEqual(reader.text.count("./tumble chart 1"), 2)
 
     def test_a_broken_film_json_costs_only_the_words(self) -> None:

@@ -139,7 +139,7 @@ def _chart(lab: Lab, chart: Chart, command: str, out: Path) -> str:
 def _missing(names: Sequence[str]) -> str:
     if not names:
         return ""
-    return f'<p class="missing">Left out, not written yet: {escape(", ".join(names))}</p>'
+    return f'<p class="missing">Left out, not written yet or broken: {escape(", ".join(names))}</p>'
 
 
 def _command(command: str) -> str:

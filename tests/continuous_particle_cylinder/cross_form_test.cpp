@@ -186,6 +186,7 @@ TEST_CASE("The cross form misses no grazing impact", "[4.2]") {
 TEST_CASE("The cross form misses no oblique grazing impact from near or far", "[4.2]") {
   tests::Random random(4214);
   std::vector<Query> queries;
+  queries.reserve(1000);
   for (int i = 0; i < 1000; ++i) queries.push_back(tests::oblique_grazing_query(random));
   int index = 0;
   for (const Query& query : queries) {

@@ -117,7 +117,9 @@ inline void expect_edge(const Edge& e, int index = 1, int count = 1) {
 }
 
 inline std::vector<Suspect<double>> suspects_of_triangle(const Triangle& t) {
-  const auto& [a, b, c] = t.p;
+  const Vec3& a = t.p[0];
+  const Vec3& b = t.p[1];
+  const Vec3& c = t.p[2];
   const Exact least = triangle_distance(t.p);
   const auto line = [](const Vec3& p, const Vec3& q) {
     const auto foot = foot_on_line(p, q);

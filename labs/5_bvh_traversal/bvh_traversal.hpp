@@ -16,6 +16,7 @@
 /// equal.
 namespace lab::bvh_traversal {
 
+using common::Mat3;
 using common::RigidTransform;
 using common::Triangle;
 using common::TriangleMesh;

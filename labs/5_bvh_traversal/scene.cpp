@@ -118,7 +118,7 @@ render::Film make_film(const OwnMeshes& own) {
   render::Film film;
   film.title = "Two tori pass through each other";
   film.subtitle =
-      "red: triangles that meet; lines: the boxes of level 5 that hold them; linked rings meet "
+      "orange: triangles that meet; lines: the boxes of level 5 that hold them; linked rings meet "
       "nowhere";
   film.duration = duration;
   film.strip_times = {0.4, 1.25, 2.0};
@@ -130,7 +130,7 @@ render::Film make_film(const OwnMeshes& own) {
   if (!own.files.empty()) {
     for (std::size_t i = 0; i < 2; ++i) meshes[i] = own.fitted(i, 1.15);
     film.title = own.name(0) + " and " + own.name(1) + " pass through each other";
-    film.subtitle = "red: triangles that meet; lines: the boxes of level 5 that hold them";
+    film.subtitle = "orange: triangles that meet; lines: the boxes of level 5 that hold them";
     film.bounds = {{-2.45, -1.15, -1.15}, {2.45, 1.15, 1.15}};
   }
   const std::optional<Tori> tori = common::if_written(film.missing, [&] {

@@ -13,8 +13,6 @@
 /// What moves in the scene, and which boxes of the trees are drawn.
 namespace lab::bvh_traversal {
 
-using common::Mat3;
-
 inline constexpr double duration = 4.0;            ///< [s]
 inline constexpr std::size_t triangles_of = 1936;  ///< a torus
 inline constexpr int leaf_size = 4;

@@ -103,7 +103,7 @@ template <typename Input>
 Mistake<Input, Vec3> at_tiny_slips(const std::string& story, bool (*is_share)(double)) {
   return {story, [=](const Input& c, const Vec3& got) {
             const SlipParts p = parts(c);
-            const bool is_tiny = p.slip.norm() > 0 && p.slip.norm() < tiny;
+            const bool is_tiny = p.slip.norm() > 0 && p.slip.norm() < wide(tiny);
             if (!is_tiny) return near(got, right_of(p), 1e-4);
             return is_share(length(got) / length(right_of(p)));
           }};

@@ -3,6 +3,7 @@
 
 #include "bodies.hpp"
 #include "catch.hpp"
+#include "flight.hpp"
 #include "particle_cases.hpp"
 
 using namespace lab::impulse_response;

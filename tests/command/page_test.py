@@ -83,7 +83,8 @@ class Page(KitTestCase):
         self.assertTrue({f"{LAB}/{variant}/film/strip.png" for variant in ("student", "reference")}
                         <= set(reader.files))
         self.assertIn(f"{LAB}/reference/chart/chart.svg", reader.files)
-        for words in ("Your answer", "Reference", "1.3 net_wrench", "not written yet or broken: implicit",
+        for words in ("Your answer", "Reference", "1.3 net_wrench",
+                      "not written yet or broken: implicit",
                       "./tumble frames 1 --solution", "./tumble chart 1 --solution"):
             self.assertIn(words, reader.text)
 

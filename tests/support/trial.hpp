@@ -1,6 +1,5 @@
 #pragma once
 
-#include <bit>
 #include <concepts>
 #include <exception>
 #include <functional>
@@ -147,8 +146,6 @@ class Trial : private UnderWay {
   }
 
  private:
-  /// What the compiler puts where the answer's code puts nothing (-ftrivial-auto-var-init).
-  static constexpr double never_set = std::bit_cast<double>(0xFEFEFEFEFEFEFEFEULL);
   static constexpr const char* not_finite =
       "not finite: NaN and infinity are never right here; vectors and matrices are NaN until they "
       "are set";
@@ -188,9 +185,6 @@ class Trial : private UnderWay {
     if (!bound.empty()) lines += "| bound   " + bound + "\n";
     std::cerr << lines << std::flush;  // all of it, should the answer crash on other inputs
     std::string likely = stories.size() == 1 ? stories.front() : "";
-    if (got.find(text(never_set)) != std::string::npos) {
-      likely = "a number that was never set: a variable without its first value";
-    }
     if (likely.empty() && likely_) likely = likely_();
     if (!likely.empty()) std::cerr << "| likely  " << likely << "\n" << std::flush;
   }

@@ -1,5 +1,6 @@
 // Returns NaN everywhere: every test must fail it, and say that the value is not finite.
 #include <limits>
+#include <stdexcept>
 
 #include "continuous_particle_cylinder.hpp"
 
@@ -25,8 +26,12 @@ Advancement conservative_advancement(const MovingParticle&, const Cylinder&, dou
 ParticleContact contact_at(const MovingParticle&, const Cylinder&, double) {
   return {nan_vector, nan_vector, nan_vector, nan, nan};
 }
-std::vector<double> times_of_impact(const MovingParticles& particles, const Cylinder&, double) {
-  return std::vector<double>(particles.y.size(), nan);
+std::vector<double> times_of_impact(const MovingParticles& p, const Cylinder&, double) {
+  const std::size_t size = p.y.size();
+  const bool alike =
+      p.z.size() == size && p.velocity_y.size() == size && p.velocity_z.size() == size;
+  if (size == 0 || !alike) throw std::domain_error("not a number");
+  return std::vector<double>(size, nan);
 }
 std::optional<double> time_of_impact_of_edge(const MovingEdge&, const Cylinder&, double) {
   return nan;

@@ -13,8 +13,8 @@ namespace common {
 /// passed over. An index counts from 1, or back from the last vertex so far as −1, and may carry
 /// texture and normal, as in 1/2/3, 1//3 or 1/2/; these are passed over. A face of more than three
 /// corners is cut into triangles, its own corners kept: see triangulated. "#" begins a comment
-/// anywhere, "\" at a line's end goes on in the next; lines end in LF or CRLF, and a byte-order mark
-/// is no part of the first. Lines of other kinds are passed over.
+/// anywhere, "\" at a line's end goes on in the next; lines end in LF or CRLF, and a byte-order
+/// mark is no part of the first. Lines of other kinds are passed over.
 ///
 /// Throws std::runtime_error where the file cannot be read, has no face, or a line of those two
 /// kinds is broken: a coordinate that is not a finite double, fewer than three corners, an index

@@ -135,15 +135,18 @@ class Reader {
       const bool is_number = reads(text, number) && number != 0;
       if (!is_number && (part == 0 || !text.empty())) break;
       if (part == 0) vertex = number;
-      if (slash == std::string_view::npos) {
-        if (vertex > 0) return vertex;
-        const auto count = static_cast<long long>(mesh_.vertices.size());
-        if (vertex + count >= 0) return vertex + count + 1;
-        fail(number_, "vertex " + std::to_string(vertex) + " of " + std::to_string(count));
-      }
+      if (slash == std::string_view::npos) return from_first(vertex);
       rest.remove_prefix(slash + 1);
     }
     fail(number_, "this is no index: " + shown(word));
+  }
+
+  /// An index that counts back from the last vertex so far, −1, as one that counts from 1.
+  [[nodiscard]] long long from_first(long long vertex) const {
+    const auto count = static_cast<long long>(mesh_.vertices.size());
+    if (vertex > 0) return vertex;
+    if (vertex + count >= 0) return vertex + count + 1;
+    fail(number_, "vertex " + std::to_string(vertex) + " of " + std::to_string(count));
   }
 
   void add(const Face& face) {

@@ -1,5 +1,6 @@
 #include "common/polygon.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "common/orientation.hpp"
@@ -30,13 +31,11 @@ bool is_ear(const std::vector<Vec2>& seen, std::size_t i) {
   const Vec2& b = seen[i];
   const Vec2& c = seen[(i + 1) % n];
   if (orientation(a, b, c) <= 0) return false;
-  for (const Vec2& p : seen) {
-    if (p == a || p == b || p == c) continue;
-    if (orientation(a, b, p) >= 0 && orientation(b, c, p) >= 0 && orientation(c, a, p) >= 0) {
-      return false;
-    }
-  }
-  return true;
+  return std::all_of(seen.begin(), seen.end(), [&](const Vec2& p) {
+    const bool is_corner = p == a || p == b || p == c;
+    return is_corner || orientation(a, b, p) < 0 || orientation(b, c, p) < 0 ||
+           orientation(c, a, p) < 0;
+  });
 }
 
 }  // namespace

@@ -160,11 +160,10 @@ render::ChartPlan plan_of(const OwnMeshes& own) {
   ShapePair shapes{own.fitted(0, 1.0), own.fitted(1, 1.0), turned()};
   const auto size = static_cast<double>(shapes.a.triangles.size());
   const auto problem = std::make_shared<Problem>([shapes](std::size_t) { return shapes; });
-  const std::vector<double> sizes{size};
   std::vector<render::Method> all = methods(problem);
-  for (render::Method& method : all) method.parameters = sizes;
+  for (render::Method& method : all) method.parameters = {size};
   if (size * static_cast<double>(shapes.b.triangles.size()) <= 1e7) {
-    all.insert(all.begin(), method("brute force", palette::ink, problem, sizes, brute_force));
+    all.insert(all.begin(), method("brute force", palette::ink, problem, {size}, brute_force));
   }
   char subtitle[120];
   std::snprintf(subtitle, sizeof subtitle,

@@ -460,3 +460,12 @@ add_mutant(${lab} cone_by_tolerance 6.5
 add_mutant(${lab} parts_by_tolerance 6.5
   "if (u_n >= 0.0) return Vec3::Zero();" "if (u_n >= 1e-12) return Vec3::Zero();"
   "zero is the border")
+
+# A body that cannot be moved is believed not to turn either: hinges are forgotten.
+add_mutant(${lab} hinge_without_K 6.5
+  "const Mat3 r_cross = skew(point - body.position);"
+  "if (body.inverse_mass == 0.0) return Mat3::Zero();
+  const Mat3 r_cross = skew(point - body.position);" "")
+add_mutant(${lab} hinge_without_spin 6.5
+  "RigidBody next = body;" "RigidBody next = body;
+  if (body.inverse_mass == 0.0) return next;" "")

@@ -155,6 +155,18 @@ TEST_CASE("A straight hit of two free bodies on smooth ground is along the norma
   expect_impulse(in, Vec3(0.0, 3.0, 0.0), {64.0 * eps * 3.0, "a 3 x 3 system"});
 }
 
+TEST_CASE("A normal may be of length one to nine digits", "[6.5]") {
+  ContactInput in{tests::ground(), {}, {Vec3::Zero(), Vec3::UnitZ()}, {0.5, 0.5}};
+  in.b.position = Vec3(0.0, 0.0, 1.0);
+  in.b.velocity = Vec3(0.0, 0.0, -2.0);
+  int index = 0;
+  for (const double length : {1.0 - 9e-10, 1.0 - 1e-11, 1.0 + 1e-11, 1.0 + 9e-10}) {
+    in.contact.normal = Vec3(0.0, 0.0, length);
+    expect_impulse(in, Vec3(0.0, 0.0, 3.0), {6.0 * 9e-10, "twice that of the normal, of 3"},
+                   ++index, 4);
+  }
+}
+
 TEST_CASE("Contact does not pull where stick would have to", "[6.5]") {
   // The rod of the handout: stick wants j = (1.5, 0, -0.5). On the cone w = (4, 0, 1), and
   // n.K w = 8.5, so that j_n = 2/17.

@@ -128,6 +128,25 @@ TEST_CASE("An impulse beside the centre moves and turns the body", "[6.5]") {
   trial.of("the angular velocity").expect(got.angular_velocity, Vec3(0.0, 0.0, 24.0), exact);
 }
 
+TEST_CASE("A hinged body cannot be moved but turns", "[6.5]") {
+  RigidBody hinged;
+  hinged.inverse_mass = 0.0;
+  RigidBody ball;
+  ball.position = Vec3(1.0, 0.0, 0.0);
+  const Vec3 point(1.0, 0.0, 0.0);
+  const tests::Bound exact{0.0, "small whole numbers"};
+  const Mat3 wanted = Vec3(1.0, 2.0, 2.0).asDiagonal().toDenseMatrix();
+  mass_trial(hinged, ball, point, 1, 2)
+      .expect(inverse_effective_mass(hinged, ball, point), wanted, exact);
+  mass_trial(ball, hinged, point, 2, 2)
+      .expect(inverse_effective_mass(ball, hinged, point), wanted, exact);
+  const Vec3 impulse(0.0, 3.0, 0.0);
+  const RigidBody got = with_impulse(hinged, impulse, point);
+  const Trial trial = trial_of_impulse(hinged, impulse, point, 1, 1);
+  trial.of("the velocity").expect(got.velocity, Vec3(0.0, 0.0, 0.0), exact);
+  trial.of("the angular velocity").expect(got.angular_velocity, Vec3(0.0, 0.0, 3.0), exact);
+}
+
 TEST_CASE("However small an impulse is it acts", "[6.5]") {
   RigidBody body;
   body.inverse_mass = 0.5;

@@ -43,6 +43,21 @@ StepInput random_input(tests::Random& random, int index) {
 
 }  // namespace
 
+TEST_CASE("A bounce on rough ground loses more along than across", "[6.4]") {
+  // j_n = 15, friction takes 1.25 · 15 / 2 of the 30 along.
+  StepInput in = worked_by_hand();
+  in.particle.velocity.x() = 30.0;
+  in.material.friction = 1.25;
+  const double along = 30.0 - 9.375;
+  const tests::StepValue wanted{Vec3(15.0 + 0.25 * along, 0.0, 0.3125), Vec3(along, 0.0, 0.0),
+                                Vec3(-18.75, 0.0, 15.0)};
+  tests::step_trial("step_to_impact", in)
+      .given("max_impacts", 4)
+      .of("the end of the step and the sum of its impulses")
+      .expect(tests::impact_step_by_answer(in, 4).step, wanted,
+              {32.0 * eps * 30.0, "some 20 operations"});
+}
+
 TEST_CASE("One bounce within a step is worked by hand", "[6.4]") {
   // j_n = 1.5 · 2 · 5 = 15, friction takes 0.125 · 15 / 2 of the 3 along; a quarter second is left.
   const StepInput in = worked_by_hand();

@@ -70,6 +70,16 @@ TEST_CASE("A step into the ground is worked by hand", "[6.4]") {
   projection_trial(in, 1, 1).expect(tests::projected_by_answer(in), wanted, exact_fractions);
 }
 
+TEST_CASE("On rough ground friction is stronger than the ground", "[6.4]") {
+  // mu j_n = 27 of 60, and 1.5 of a way of 7.5.
+  StepInput in = projection_by_hand();
+  in.particle.velocity.x() = 30.0;
+  in.material.friction = 1.5;
+  const StepValue wanted{Vec3(6.0, 0.0, 0.0), Vec3(16.5, 0.0, 3.0), Vec3(-27.0, 0.0, 18.0)};
+  projection_trial(in, 1, 1).expect(tests::projected_by_answer(in), wanted,
+                                    {8.0 * eps * 30.0, "small fractions, a length of 30"});
+}
+
 TEST_CASE("In flight velocity comes before position and nothing else happens", "[6.4]") {
   tests::Random random(651);
   for (int i = 1; i <= 20; ++i) {

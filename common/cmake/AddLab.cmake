@@ -143,7 +143,6 @@ function(_add_mistakes)
       COMMAND ${CMAKE_OBJCOPY} --wildcard "--weaken-symbol=_ZN3lab*" "--weaken-symbol=_ZNK3lab*"
               $<TARGET_OBJECTS:${right}> "${weak}"
       DEPENDS ${right} $<TARGET_OBJECTS:${right}> COMMENT "Weakening ${right}")
-    add_custom_target(${right}_weak DEPENDS "${weak}")
   endforeach()
 endfunction()
 

@@ -7,18 +7,14 @@
 //   case LINE END VALUE SECONDS BYTES\n, then BYTES of what the case printed, then \n
 // LINE counts from 0; END VALUE is "exit code", "signal number", "timeout 0", "waits 0" (it slept)
 // or "skipped 0"; SECONDS are of computing, so a busy machine makes no case run out of time. A case
-// that crashes, leaves or runs out of time first tells what it asked the answer, see UnderWay.
-#include <cxxabi.h>
-#include <dlfcn.h>
-#include <execinfo.h>
+// that crashes, leaves or runs out of time first tells what it asked the answer, see
+// last_words.hpp.
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -30,13 +26,10 @@
 #include <string>
 #include <vector>
 
-#include "under_way.hpp"
+#include "last_words.hpp"
 
 /// Catch2's main.
 extern "C" int __real_main(int argc, char** argv);  // NOLINT: the linker's names
-
-/// There under the sanitizers only.
-extern "C" void __sanitizer_set_death_callback(void (*)()) __attribute__((weak));  // NOLINT
 
 namespace {
 
@@ -61,69 +54,6 @@ struct Child {
   std::string must_end = "";  ///< why it has been told to end: its record's END VALUE
   double told = 0.0;          ///< when
 };
-
-std::string step_under_way;
-
-/// The function of the contract that runs, its last name alone, or "" where none does.
-std::string called_function() {
-  std::array<void*, 256> frames{};
-  const int count = backtrace(frames.data(), static_cast<int>(frames.size()));
-  Dl_info program{};
-  dladdr(reinterpret_cast<void*>(&called_function), &program);
-  for (int i = count - 1; i >= 0; --i) {  // the outermost: what the test called
-    Dl_info place{};
-    // A call that never returns may be a function's last instruction: so one byte back.
-    const char* const inside = static_cast<char*>(frames[static_cast<std::size_t>(i)]) - 1;
-    if (dladdr(inside, &place) == 0 || place.dli_sname == nullptr ||
-        place.dli_fbase != program.dli_fbase) {
-      continue;
-    }
-    char* const whole = abi::__cxa_demangle(place.dli_sname, nullptr, nullptr, nullptr);
-    std::string name = whole == nullptr ? "" : whole;
-    std::free(whole);
-    name.resize(std::min(name.find('('), name.size()));
-    if (name.starts_with("lab::")) return name.substr(name.rfind(':') + 1);
-  }
-  return "";
-}
-
-/// What was asked: the trial under way, or else the function that runs.
-void tell() {
-  if (tests::UnderWay::tell_of_newest()) return;
-  const std::string function = called_function();
-  if (!function.empty()) std::cerr << "| step    " << step_under_way << ' ' << function << '\n';
-}
-
-void tell_and_leave(int /*signal*/) {
-  tell();
-  _exit(EXIT_FAILURE);
-}
-
-/// After Catch2's handler, which tells the signal and raises it again.
-void tell_and_crash(int number) {
-  tell();
-  std::signal(number, SIG_DFL);
-  std::raise(number);
-}
-
-/// A case that ends before its end tells what it asked.
-void tell_when_ended() {
-  std::atexit(tell);
-  std::signal(SIGXCPU, tell_and_leave);
-  if (__sanitizer_set_death_callback != nullptr) {  // they tell of crashes
-    __sanitizer_set_death_callback(tell);
-    return;
-  }
-  static char stack[1U << 18U];  // of its own: the crash may be an overflow of the other
-  const stack_t own{stack, 0, sizeof stack};
-  sigaltstack(&own, nullptr);
-  struct sigaction action {};
-  action.sa_handler = tell_and_crash;
-  action.sa_flags = SA_ONSTACK;
-  for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) {
-    sigaction(number, &action, nullptr);
-  }
-}
 
 double seconds(clockid_t clock) {
   timespec now{};
@@ -205,9 +135,8 @@ class Runner {
     };
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, most_output);
-    if (__sanitizer_set_death_callback == nullptr) limit(RLIMIT_AS, most_memory);
-    step_under_way = one.step;
-    tell_when_ended();
+    if (!tests::has_sanitizers()) limit(RLIMIT_AS, most_memory);
+    tests::tell_when_ended(one.step);
     std::vector<std::string> arguments = arguments_;
     arguments.insert(arguments.begin() + 1, one.name);
     std::exit(run_catch(std::move(arguments)));
@@ -295,7 +224,7 @@ extern "C" int __wrap_main(int argc, char** argv) {  // NOLINT
     std::cerr << "usage: PROGRAM --each CASES JOBS, with a case in CASES and a job at least\n";
     return EXIT_FAILURE;
   }
-  called_function();  // what this loads at first, no child must
+  tests::prepare_last_words();
   sigset_t child_ended;
   sigemptyset(&child_ended);
   sigaddset(&child_ended, SIGCHLD);

@@ -76,13 +76,16 @@ def labelled(label: str, text: str, label_width: int, wrap: bool = True) -> list
     return [first] + [(indent + line).rstrip() for line in lines[1:]]
 
 
-def shortened(text: str, limit: int) -> str:
-    """The text cut at a line's end near the limit: the first error is the one to read."""
+def shortened(text: str, limit: int, where: str = "") -> str:
+    """The text cut at a line's end near the limit: the first error is the one to read.
+
+    where  the file that has all of it
+    """
     if len(text) <= limit:
         return text
     kept = text[:limit].rsplit("\n", 1)[0]
     left_out = text[len(kept):].strip().count("\n") + 1
-    return f"{kept}\n... {left_out} more lines"
+    return f"{kept}\n... {left_out} more lines{where and f' in {where}'}"
 
 
 def require_writable(folder: Path) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from typing import NamedTuple, Sequence
 
+from .console import shortened
 from .labs import Lab
 
 _MESSAGE = re.compile(r"(\S[^:]*):(\d+):(?:\d+:)? (warning|(?:fatal )?error|note): (.+)")
@@ -102,7 +103,5 @@ def told(lab: Lab, diagnostics: str, limit: int) -> Sequence[str]:
         own = of_student(lab, diagnostics)
     if own:
         limit = _BESIDE
-    rest = diagnostics if len(diagnostics) <= limit else diagnostics[:limit].rsplit("\n", 1)[0]
-    left = diagnostics[len(rest):].count("\n")
-    more = [f"... {left} more lines in build/dev/build.log"] if left else []
-    return [*own, *([""] if own else []), *rest.splitlines(), *more]
+    rest = shortened(diagnostics, limit, "build/dev/build.log")
+    return [*own, *([""] if own else []), rest]

@@ -3,6 +3,7 @@
 usage: run_each_test.py PROGRAM, which holds the cases of run_each_victims.cpp
 """
 
+import re
 import signal
 import subprocess
 import sys
@@ -19,11 +20,11 @@ from tumble.runner import Ended, records  # noqa: E402
 PROGRAM = sys.argv.pop()
 
 
-def run(*cases: str) -> dict[int, Ended]:
+def run(*cases: str, jobs: str = "2") -> dict[int, Ended]:
     with tempfile.TemporaryDirectory() as folder:
         listed = Path(folder) / "cases.txt"
         listed.write_text("\n".join(cases) + "\n", encoding="utf-8")
-        with subprocess.Popen([PROGRAM, "--each", str(listed), "2"],
+        with subprocess.Popen([PROGRAM, "--each", str(listed), jobs],
                               stdout=subprocess.PIPE) as process:
             return {record.line: record for record in records(process.stdout)}
 
@@ -78,6 +79,42 @@ class Runner(unittest.TestCase):
         ended = run("1.1|It sleeps", "1.1|It passes")
         self.assertEqual((ended[0].end, ended[1].end), ("waits", "exit"))
         self.assertLess(ended[0].seconds, 1.0)
+
+    def test_together_what_passes_shares_a_process(self) -> None:
+        ended = run("1.1|It tells its process", "1.1|It passes", "1.2|It tells its process again",
+                    jobs="together")
+        self.assertEqual([ended[line].end for line in range(3)], ["exit"] * 3)
+        for line in range(3):
+            self.assertRegex(ended[line].output, r"All tests passed \(1 assertion")
+        first, second = (re.findall(r"process (\d+)", ended[line].output) for line in (0, 2))
+        self.assertEqual(len(first), 1)
+        self.assertEqual(first, second)
+
+    def test_together_each_case_ends_as_it_does_alone(self) -> None:
+        names = ("passes", "crashes", "leaves", "fails", "prints without end", "sleeps", "loops",
+                 "prints", "takes all memory", "passes after all", "tells its process")
+        cases = [f"1.{number}|It {name}" for number, name in enumerate(names)]
+        alone, together = run(*cases), run(*cases, jobs="together")
+        self.assertEqual(sorted(together), list(range(len(cases))))
+        for line, name in enumerate(names):
+            self.assertEqual((together[line].end, together[line].value),
+                             (alone[line].end, alone[line].value), name)
+        for line in (1, 3, 5, 6, 7, 8):
+            self.assertEqual(together[line].output, alone[line].output, names[line])
+
+    def test_together_what_another_case_spoils_is_asked_again_alone(self) -> None:
+        ended = run("1.1|It passes once in a process", "1.2|It passes once in a process too",
+                    jobs="together")
+        for line in range(2):
+            self.assertEqual((ended[line].end, ended[line].value), ("exit", 0))
+            self.assertIn("All tests passed (1", ended[line].output)
+
+    def test_together_after_three_loops_the_rest_of_the_step_is_not_run(self) -> None:
+        loops = [f"1.1|It loops{number}" for number in ("", " twice", " thrice", " still")]
+        ended = run(*loops, "1.2|It passes", jobs="together")
+        self.assertEqual([ended[line].end for line in range(5)],
+                         ["timeout"] * 3 + ["skipped", "exit"])
+        self.assertLess(sum(record.seconds for record in ended.values()), 6.0 + 2 * 0.5 + 1.0)
 
     def test_a_name_that_fits_no_case_does_not_pass(self) -> None:
         self.assertNotIn("All tests passed", run("1.1|It is nowhere")[0].output)

@@ -23,15 +23,41 @@ TEST_CASE("It prints without end") {
   while (std::puts("words without end") >= 0) {
   }
 }
+TEST_CASE("It tells its process") {
+  std::printf("process %d\n", getpid());
+  CHECK(true);
+}
+TEST_CASE("It tells its process again") {
+  std::printf("process %d\n", getpid());
+  CHECK(true);
+}
+TEST_CASE("It passes after all") { CHECK(true); }
+
+namespace {
+int calls = 0;
+}
+
+TEST_CASE("It passes once in a process") { CHECK(++calls == 1); }
+TEST_CASE("It passes once in a process too") { CHECK(++calls == 1); }
 TEST_CASE("It takes all memory") {
   std::vector<std::unique_ptr<double[]>> all;  // NOLINT: a vector would also fill it
   for (;;) all.push_back(std::make_unique_for_overwrite<double[]>(std::size_t{1} << 26U));
 }
 TEST_CASE("It sleeps") { pause(); }
-TEST_CASE("It loops") {
+
+namespace {
+
+[[noreturn]] int loop() {
   for (std::atomic<unsigned> work{0};; ++work) {
   }
 }
+
+}  // namespace
+
+TEST_CASE("It loops") { loop(); }
+TEST_CASE("It loops twice") { loop(); }
+TEST_CASE("It loops thrice") { loop(); }
+TEST_CASE("It loops still") { loop(); }
 
 namespace lab::victims {
 
@@ -44,11 +70,6 @@ int answer(int depth) { return depth < 0 ? 0 : raise(SIGSEGV) + answer(-1); }
 TEST_CASE("Asked by no trial it crashes") { CHECK(lab::victims::answer(1) == 1); }
 
 namespace {
-
-[[noreturn]] int loop() {
-  for (std::atomic<unsigned> work{0};; ++work) {
-  }
-}
 
 int overflow(int depth) { return depth < 0 ? 0 : 1 + overflow(depth + 1) * depth; }
 

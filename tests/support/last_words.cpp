@@ -69,8 +69,10 @@ bool has_sanitizers() { return __sanitizer_set_death_callback != nullptr; }
 
 void prepare_last_words() { called_function(); }
 
+void tell_of_step(const std::string& step) { step_under_way = step; }
+
 void tell_when_ended(const std::string& step) {
-  step_under_way = step;
+  tell_of_step(step);
   std::atexit(tell);
   std::signal(SIGXCPU, tell_and_leave);
   if (has_sanitizers()) {  // they tell of crashes

@@ -10,6 +10,9 @@ namespace tests {
 /// goes on as it would; after SIGXCPU the process ends.
 void tell_when_ended(const std::string& step);
 
+/// The step that is told from now on, where one process runs case after case.
+void tell_of_step(const std::string& step);
+
 /// Loads what a stack is read with, so that no process must while it crashes.
 void prepare_last_words();
 

@@ -34,16 +34,18 @@ class Ended(NamedTuple):
     output: str
 
 
-def run_cases(program: Path, prefix: str,
+def run_cases(program: Path, prefix: str, apart: bool = False,
               environment: Mapping[str, str] = MappingProxyType({})) -> list[Case]:
     """All cases of cases.txt beside the program, which CMake reads from the sources of the tests.
 
     A case is named <prefix>/<step>/<name>.
+    apart        each in a process of its own, and not those alone that fail: that takes longer
     environment  what the program finds set, beside all the rest
     """
     listed = program.with_name("cases.txt")
     names = listed.read_text(encoding="utf-8").splitlines()
-    command = [str(program), "--each", str(listed), str(os.cpu_count() or 1)]
+    jobs = str(os.cpu_count() or 1) if apart else "together"
+    command = [str(program), "--each", str(listed), jobs]
     ended: dict[int, Ended] = {}
     with Progress() as progress, tempfile.TemporaryFile() as errors, subprocess.Popen(
             command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=errors,

@@ -51,7 +51,7 @@ def first_finding(root: Path, lab: Lab) -> tuple[bool, list[Finding]]:
         progress.show("looking for undefined behaviour")
         try:
             cases = runner.run_cases(answer.compiled(root, lab, "sanitized"),
-                                     f"{lab.folder}/student", _OPTIONS)
+                                     f"{lab.folder}/student", apart=True, environment=_OPTIONS)
         except (Failure, OSError):  # without them it has been compiled, and it ran: none are here
             return False, []
     findings = [_finding(lab, case) for case in cases

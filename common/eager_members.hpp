@@ -23,6 +23,8 @@ using Base::operator-=;
 
 static constexpr bool is_small = std::is_floating_point_v<Scalar> && RowsAtCompileTime > 0 &&
                                  ColsAtCompileTime > 0 && SizeAtCompileTime <= 16;
+// A name of its own, since GCC 14 crashes on the comparison in a requires-clause.
+static constexpr bool is_vector_of_three = is_small && SizeAtCompileTime == 3;
 
 Scalar dot(const Matrix& b) const requires is_small {
   Scalar sum = this->data()[0] * b.data()[0];
@@ -59,7 +61,7 @@ bool allFinite() const requires is_small {
   return true;
 }
 
-Matrix cross(const Matrix& b) const requires(is_small&& SizeAtCompileTime == 3) {
+Matrix cross(const Matrix& b) const requires is_vector_of_three {
   const Scalar* u = this->data();
   const Scalar* v = b.data();
   return Matrix(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);

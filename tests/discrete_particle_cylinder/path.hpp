@@ -91,7 +91,13 @@ inline std::vector<Suspect<FoundTime>> suspects_of_time(const Flight& f) {
   for (auto time = all.rbegin(); time != all.rend(); ++time) {
     if (f.at(*time).gap() < 0.0) touching_missed = {*time};
   }
+  const std::vector<double> shares = times(1.0, N, 0, N);
+  FoundTime at_share;
+  for (std::size_t k = shares.size(); k-- > 0;) {
+    if (f.at(shares[k]).gap() <= 0.0) at_share = {all[k]};
+  }
   return {{first_in(f, {all.rbegin(), all.rend()}), story::last_sample},
+          {at_share, "the position is taken at k/N; its time is k times the duration over N"},
           {first_in(f, times(T, N, 1, N)), "the start is a sample too: k = 0"},
           {first_in(f, times(T, N, 0, N - 1)), "the end is a sample too: k = N"},
           {first_in(f, times(1.0, N, 0, N)), "the samples end at 1 s, not at the duration"},

@@ -79,6 +79,11 @@ inline Exact distance_by_length_in_space(const Vec3& a, const Vec3& b, bool from
   return distance_at(a, b, std::clamp(share, Exact(0), Exact(1)));
 }
 
+/// So that a tolerance may take it for a point.
+inline bool is_short(const Edge& e) {
+  return rounded(distance(e.p[1] - e.p[0])) < 1e-6 * std::max(1.0, e.size());
+}
+
 inline std::vector<Suspect<double>> suspects_of_edge(const Edge& e) {
   const auto& [a, b] = e.p;
   const Exact least = edge_distance(a, b);
@@ -88,6 +93,8 @@ inline std::vector<Suspect<double>> suspects_of_edge(const Edge& e) {
   return {{e.gap_of(from_nearer), story::length_in_space},
           {e.gap_of(from_a == from_nearer ? least : from_a), story::length_in_space},
           {e.gap_of(std::min(distance(a), distance(b))), story::ends_only},
+          {is_short(e) ? e.gap_of(std::min(distance(a), distance(b))) : e.gap_of(least),
+           "a short edge is taken for a point: only a length of zero is none"},
           {e.gap_of(foot ? distance_at(a, b, *foot) : least), story::line},
           {e.gap_of(distance_at(a, b, Exact(0.5))), story::middle},
           {rounded(least - e.cylinder.radius), story::no_r},
@@ -121,6 +128,10 @@ inline std::vector<Suspect<double>> suspects_of_triangle(const Triangle& t) {
   const Vec3& b = t.p[1];
   const Vec3& c = t.p[2];
   const Exact least = triangle_distance(t.p);
+  const double size = t.size();
+  const bool huge_or_tiny = size > 1e100 || size < 1e-100;
+  const std::array<Exact, 3> twice = areas(t.p);
+  const bool thin = abs(twice[0] + twice[1] + twice[2]) < 1e-6 * Exact(size) * size;
   const auto line = [](const Vec3& p, const Vec3& q) {
     const auto foot = foot_on_line(p, q);
     return foot ? distance_at(p, q, *foot) : distance(p);
@@ -145,6 +156,10 @@ inline std::vector<Suspect<double>> suspects_of_triangle(const Triangle& t) {
           {t.gap_of(nearer), story::length_in_space},
           {t.gap_of(first == nearer ? least : first), story::length_in_space},
           {t.gap_of(edges_distance(t.p)), story::edges_only},
+          {thin ? t.gap_of(edges_distance(t.p)) : t.gap_of(least),
+           "a thin triangle is taken for a segment: only areas that are all zero are none"},
+          {huge_or_tiny ? t.gap_of(edges_distance(t.p)) : t.gap_of(least),
+           "products of lengths overflow or vanish: scale all by one power of two first"},
           {t.gap_of(std::min({distance(a), distance(b), distance(c)})), story::ends_only},
           {t.gap_of(distance_at(t.p, Vec3::Constant(1.0 / 3.0))), story::middle},
           {t.gap_of(std::min({middle(a, b), middle(b, c), middle(c, a)})), story::middle},

@@ -67,6 +67,17 @@ TEST_CASE("A pierced triangle is found though all its edges are free", "[3.6]") 
       .expect(tests::IndexList{got.triangles}, tests::IndexList{{0, 1}}, {0.0, "worked by hand"});
 }
 
+TEST_CASE("An edge or a triangle that names a particle twice is checked like any other", "[3.6]") {
+  const Cylinder cylinder{1.0};
+  for (const double y : {1.25, 2.0}) {
+    expect_sheet({{Vec3(0.0, y, 0.0), Vec3(1.0, 0.0, 3.0), Vec3(1.0, 5.0, 0.0)},
+                  {{0, 0}, {1, 1}, {1, 2}, {0, 1}},
+                  {{0, 0, 0}, {0, 0, 2}, {1, 2, 1}, {2, 2, 2}, {0, 1, 2}},
+                  0.5},
+                 cylinder, y < 2.0 ? 1 : 2, 2);
+  }
+}
+
 TEST_CASE("All lists of a sheet agree with a hundred digits", "[3.6]") {
   tests::Random random(371);
   for (int i = 1; i <= 20; ++i) {

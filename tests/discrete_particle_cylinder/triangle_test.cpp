@@ -133,6 +133,20 @@ TEST_CASE("Slivers far off and across the axis keep the digits of their gap", "[
   }
 }
 
+TEST_CASE("However thin a triangle the axis goes through it", "[3.5]") {
+  int index = 0;
+  for (const double width : {1e-6, 1e-9, 1e-11, 1e-13}) {
+    const Triangle t{{Vec3(0.0, 1.0, width), Vec3(0.0, -1.0, width), Vec3(0.0, 0.0, -2.0 * width)},
+                     0.5 * width,
+                     {0.5 * width}};
+    expect_triangle(t, ++index, 4);
+    triangle_trial(t, index, 4).of("the gap").expect(gap_of(t), -width, tests::few_ulp(width), [&] {
+      return std::vector<tests::Suspect<double>>{
+          {0.0, "a thin triangle is taken for a segment: only areas that are all zero are none"}};
+    });
+  }
+}
+
 TEST_CASE("Triangles of any size have their gap", "[3.5]") {
   tests::Random random(366);
   int index = 0;

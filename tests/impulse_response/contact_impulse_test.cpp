@@ -124,6 +124,17 @@ TEST_CASE("Restitution of none and of all is that of any two bodies", "[6.5]") {
   }
 }
 
+TEST_CASE("A body on a hinge yields only by turning", "[6.5]") {
+  tests::Random random(657);
+  for (int i = 1; i <= 20; ++i) {
+    ContactInput in = tests::random_contact(random, i);
+    in.material.restitution = i % 3 * 0.5;
+    in.a.inverse_mass = i % 2 == 0 ? 0.0 : 1.0;
+    in.b.inverse_mass = i % 2 == 0 ? 1.0 : 0.0;
+    expect_impulse(in, i, 20);
+  }
+}
+
 TEST_CASE("Where the points part or rest there is no impulse", "[6.5]") {
   ContactInput in = particle_on_ground(0.5, 0.5);
   const tests::Bound none{0.0, "there is nothing to stop"};

@@ -1,3 +1,5 @@
+#include <limits>
+
 #include "catch.hpp"
 #include "flight.hpp"
 
@@ -42,6 +44,17 @@ StepInput random_input(tests::Random& random, int index) {
 }
 
 }  // namespace
+
+TEST_CASE("As many impacts as an int can count may be allowed", "[6.4]") {
+  const StepInput in = worked_by_hand();
+  const tests::StepValue wanted = tests::impact_step_by_answer(in, 4).step;
+  constexpr int most = std::numeric_limits<int>::max();
+  tests::step_trial("step_to_impact", in)
+      .given("max_impacts", most)
+      .of("the end of the step, as of at most 4 impacts")
+      .expect(tests::impact_step_by_answer(in, most).step, wanted,
+              {0.0, "there is one impact in either"});
+}
 
 TEST_CASE("A bounce on rough ground loses more along than across", "[6.4]") {
   // j_n = 15, friction takes 1.25 · 15 / 2 of the 30 along.

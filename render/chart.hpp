@@ -26,6 +26,7 @@ struct ChartSeries {
   std::vector<ChartPoint> points;  ///< in the order of the parameter; none where not written yet
   std::string missing;             ///< the step that is not written yet, or empty
   bool is_peer = false;            ///< another's code: drawn dashed and in greys, without `colour`
+  bool shows_parameters = false;   ///< each point has its parameter under it, as in 10k
 };
 
 /// Error against time, log-log: what a lab's methods cost and what they are worth.

@@ -65,8 +65,8 @@ std::string horizontal(int tag, double error, const std::string& words, double w
                             error, error);
   s += " lw 1 dt (5,4) lc rgb '#8d9299' back\n";
   s += formatted("set label %d ", tag) + gnuplot_text(words) +
-       formatted(" at graph 0.985, first %g right offset 0,%s", words_at, above ? "0.7" : "-0.7") +
-       " noenhanced font ',11' tc rgb '#6b7078'\n";
+       formatted(" at graph 0.985, first %g right offset 0,%s", words_at, above ? "0.9" : "-0.8") +
+       " noenhanced font ',11' tc rgb '#6b7078' front boxed\n";
   return s;
 }
 
@@ -96,6 +96,25 @@ std::string direct_label(int tag, const ChartSeries& series, double height, cons
   s += formatted("set arrow %d from first %g, first %g to graph 1.035, graph %.4f nohead", tag,
                  last.seconds, std::clamp(last.error, error.low, error.high), height);
   return s + " lw 0.7 dt (1,4)" + line_colour(series.colour) + " back\n";
+}
+
+/// As in 300, 10k, 1M.
+std::string shortened(double count) {
+  if (count >= 1e6) return formatted("%gM", count / 1e6);
+  return count >= 1e3 ? formatted("%gk", count / 1e3) : formatted("%g", count);
+}
+
+/// The parameters of a series, each under its point.
+std::string parameters(int first_tag, const ChartSeries& series) {
+  std::string s;
+  if (!series.shows_parameters) return s;
+  for (const ChartPoint& point : series.points) {
+    s += formatted("set label %d ", first_tag++) + gnuplot_text(shortened(point.parameter)) +
+         formatted(" at first %g, first %g center offset 0,-0.9 noenhanced font ',10'",
+                   point.seconds, point.error) +
+         text_colour(series.colour) + "\n";
+  }
+  return s;
 }
 
 /// The longest run of points along which the error falls about as theory asks: before it steps are
@@ -165,12 +184,14 @@ std::string chart_script(const Chart& chart) {
   const std::vector<double> heights =
       label_heights(shown, axes, label_height / (sheet.bottom - sheet.top));
   std::string s = sheet_start(sheet) + sheet_words(sheet) + axes_of(shown, axes, sheet) +
-                  boundaries(shown, axes);
+                  "set style textbox opaque noborder margins 0.5,0.1 fillcolor rgb '#ffffff'\n" +
+                  boundaries(shown, axes);  // their words cover what crosses them
   const double least = std::max(shown.rounding_floor, axes.error.low);
   std::string plots;
   for (std::size_t i = 0; i < shown.series.size(); ++i) {
     const ChartSeries& series = shown.series[i];
     s += direct_label(static_cast<int>(i) + 1, series, heights[i], {least, axes.error.high});
+    s += parameters(1000 + 100 * static_cast<int>(i), series);
     s += data_block("good" + std::to_string(i + 1), series, Status::ok, least);
     s += data_block("failed" + std::to_string(i + 1), series, Status::unstable, least);
     plots += (plots.empty() ? "" : ", \\\n     ") + curve(series, i) + slope(series);

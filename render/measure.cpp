@@ -73,7 +73,9 @@ struct Judged {
 /// `rung_done` is called after each parameter.
 template <typename RungDone>
 Judged judged(const Method& method, const Effort& effort, const RungDone& rung_done) {
-  Judged result{{method.name, method.order, method.colour, {}, "", method.is_peer}, {}};
+  Judged result{
+      {method.name, method.order, method.colour, {}, "", method.is_peer, method.shows_parameters},
+      {}};
   try {
     for (const double parameter : method.parameters) {
       const Judgement judgement = method.judge(parameter);

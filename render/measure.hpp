@@ -26,7 +26,8 @@ struct Method {
   double units = 1.0;
   /// Called before a batch of runs, untimed; may be empty.
   std::function<void(double parameter)> prepare = nullptr;
-  bool is_peer = false;  ///< another's code, see ChartSeries
+  bool is_peer = false;           ///< another's code, see ChartSeries
+  bool shows_parameters = false;  ///< see ChartSeries
 };
 
 /// first, factor first, factor² first … up to last: a method's parameters.

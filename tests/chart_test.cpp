@@ -92,6 +92,17 @@ TEST_CASE("The script names what is left out", "[chart]") {
   CHECK(script.find("unwritten  (order") == std::string::npos);
 }
 
+TEST_CASE("A series may show its parameters under its points", "[chart]") {
+  Chart chart = sample();
+  CHECK(chart_script(chart).find("'10k'") == std::string::npos);
+  chart.series[0].points = {{300.0, 1e-2, 1e-6}, {10000.0, 1e-3, 1e-5}, {2e6, 1e-4, 1e-4}};
+  chart.series[0].shows_parameters = true;
+  const std::string script = chart_script(chart);
+  for (const char* words : {"'300'", "'10k'", "'2M'"}) {
+    CHECK(script.find(words) != std::string::npos);
+  }
+}
+
 TEST_CASE("Long labels are never cut off at the edge", "[chart]") {
   if (!has_gnuplot()) {
     WARN("gnuplot is not installed");

@@ -79,6 +79,11 @@ render::Method method(const std::string& name, render::Colour colour, const Shar
   return result;
 }
 
+render::Method with_sizes(render::Method method) {
+  method.shows_parameters = true;
+  return method;
+}
+
 const std::vector<double> sizes = render::ladder(1000, 1000000, 10);
 /// Of large leaves: an answer that asks all their pairs of triangles takes seconds for a million.
 const std::vector<double> sizes_of_large_leaves = render::ladder(1000, 100000, 10);
@@ -87,7 +92,7 @@ std::vector<render::Method> methods(const SharedProblem& problem) {
   return {
       method("halves, leaves of 64", palette::orange, problem, sizes_of_large_leaves,
              by_halves(64)),
-      method("heuristic, leaves of 1", palette::purple, problem, sizes, by_sah(1)),
+      with_sizes(method("heuristic, leaves of 1", palette::purple, problem, sizes, by_sah(1))),
       method("heuristic, leaves of 8", palette::sky, problem, sizes, by_sah(8)),
       method("heuristic, leaves of 64", palette::blue, problem, sizes_of_large_leaves, by_sah(64)),
       method("eight-fold nodes", palette::green, problem, sizes, by_eights)};
@@ -117,10 +122,10 @@ render::ChartPlan full_plan(bool with_peers) {
   const auto apart = std::make_shared<Problem>(shells);
 
   std::vector<render::Method> of_tori = methods(at_rest);
-  of_tori.insert(
-      of_tori.begin(),
-      {method("brute force", palette::ink, at_rest, {100, 300, 1000, 3000}, brute_force),
-       method("as first written", palette::vermilion, at_rest, sizes, as_first_written)});
+  of_tori.insert(of_tori.begin(), {with_sizes(method("brute force", palette::ink, at_rest,
+                                                     {100, 300, 1000, 3000}, brute_force)),
+                                   method("as first written", palette::vermilion, at_rest, sizes,
+                                          as_first_written)});
   of_tori.push_back(method("heuristic, boxes in floats", palette::grey, at_rest,
                            sizes_of_large_leaves, in_float_boxes));
   render::ChartPlan plan;

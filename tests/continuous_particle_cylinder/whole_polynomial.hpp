@@ -229,7 +229,7 @@ inline int sign_at_root(const WholePolynomial& f, Cell& cell, const WholePolynom
 /// first may be zero.
 inline double chord_root(const Whole& first, const Whole& last) {
   const Whole fall = first - last;
-  const unsigned bits = msb(abs(fall));
+  const auto bits = static_cast<unsigned>(msb(abs(fall)));  // newer ones count by size_t
   const unsigned shift = bits > 60 ? bits - 60 : 0;
   return static_cast<double>(Whole(first >> shift)) / static_cast<double>(Whole(fall >> shift));
 }

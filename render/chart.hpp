@@ -26,6 +26,7 @@ struct ChartSeries {
   std::vector<ChartPoint> points;  ///< in the order of the parameter; none where not written yet
   std::string missing;             ///< the step that is not written yet, or empty
   bool is_peer = false;            ///< another's code: drawn dashed and in greys, without `colour`
+  bool is_other = false;           ///< another answer's: drawn dashed, in the colour of the method
   bool shows_parameters = false;   ///< each point has its parameter under it, as in 10k
 };
 

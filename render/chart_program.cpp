@@ -7,27 +7,45 @@
 #include <stdexcept>
 
 #include "common/run_main.hpp"
+#include "render/chart_beside.hpp"
 #include "render/chart_folder.hpp"
 
 namespace render {
 namespace {
 
+/// Where another answer's charts are.
+struct Other {
+  std::string answer;
+  std::string folder;
+};
+
 struct Options {
   std::string folder;
   ChartRequest request;
+  std::vector<Other> others;
 };
 
 Options options_from(int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
-  const std::set<std::string> flags(words.begin() + std::min<std::ptrdiff_t>(2, argc - 1),
-                                    words.end());
-  const bool peers = flags.count("--peers") == 1;
-  const bool brief = flags.count("--short") == 1;
-  const std::size_t known = std::size_t{2} + (peers ? 1 : 0) + (brief ? 1 : 0);
-  if (words.size() != known || words[0] != "--out") {
-    throw std::runtime_error(std::string("usage: ") + argv[0] + " --out DIR [--peers] [--short]");
+  const auto usage = [&] {
+    return std::runtime_error(std::string("usage: ") + argv[0] +
+                              " --out DIR [--peers] [--short] [--beside ANSWER DIR]...");
+  };
+  if (words.size() < 2 || words[0] != "--out") throw usage();
+  Options options{words[1], {}, {}};
+  for (std::size_t i = 2; i < words.size(); ++i) {
+    if (words[i] == "--peers" && !options.request.peers) {
+      options.request.peers = true;
+    } else if (words[i] == "--short" && options.request.extent == Extent::full) {
+      options.request.extent = Extent::brief;
+    } else if (words[i] == "--beside" && i + 2 < words.size()) {
+      options.others.push_back({words[i + 1], words[i + 2]});
+      i += 2;
+    } else {
+      throw usage();
+    }
   }
-  return {words[1], {peers, brief ? Extent::brief : Extent::full}};
+  return options;
 }
 
 /// As in "5" of "5_bvh_traversal".
@@ -102,6 +120,9 @@ std::set<std::string> missing_methods(const ChartSet& set) {
 void draw(const ChartPlan& plan, const Options& options) {
   ChartSet set;
   set.charts = measured_charts(plan.charts, options.request.extent);
+  for (const Other& other : options.others) {
+    for (Chart& chart : set.charts) draw_beside(chart, other.answer, other.folder);
+  }
   for (const RecordedChart& part : plan.histories) {
     set.histories.push_back(recorded(part.chart, part.methods));
   }

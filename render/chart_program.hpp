@@ -36,16 +36,18 @@ struct ChartRequest {
   Extent extent = Extent::full;
 };
 
-/// The body of a chart program:  --out DIR [--short]. The methods of all charts are timed together,
-/// so that the machine's noise bends none of them. Whatever is wrong becomes one line on stderr and
-/// a non-zero exit code. Methods that are left out since they are not written yet are named, and so
-/// is a chart none of whose methods is written; where no chart is left nothing is drawn. With
-/// --short all is measured briefly, and a note below each chart says so.
+/// The body of a chart program:  --out DIR [--short] [--beside ANSWER DIR]... The methods of all
+/// charts are timed together, so that the machine's noise bends none of them. Whatever is wrong
+/// becomes one line on stderr and a non-zero exit code. Methods that are left out since they are
+/// not written yet are named, and so is a chart none of whose methods is written; where no chart is
+/// left nothing is drawn. With
+/// --short all is measured briefly, and a note below each chart says so. --beside draws in what
+/// another answer's program has measured into DIR, see draw_beside.
 int chart_main(int argc, char** argv, const ChartPlan& plan);
 
-/// The same for a lab with peers:  --out DIR [--peers] [--short]. The plan with peers has their
-/// methods too, with `is_peer`, and in `left_out` the peers that are not installed. A brief plan
-/// may have shorter ladders.
+/// The same for a lab with peers:  --out DIR [--peers] [--short] [--beside ANSWER DIR]... The plan
+/// with peers has their methods too, with `is_peer`, and in `left_out` the peers that are not
+/// installed. A brief plan may have shorter ladders.
 int chart_main(int argc, char** argv, const std::function<ChartPlan(const ChartRequest&)>& plan);
 
 }  // namespace render

@@ -137,7 +137,7 @@ std::vector<ChartPoint> as_in_theory(const ChartSeries& series) {
 
 /// The slope that theory asks for, through the middle of the points that obey it, a little below.
 std::string slope(const ChartSeries& series) {
-  if (series.order <= 0.0 || series.is_peer) return "";
+  if (series.order <= 0.0 || series.is_peer || series.is_other) return "";
   const std::vector<ChartPoint> good = as_in_theory(series);
   if (good.size() < 3) return "";
   const ChartPoint& middle = good[good.size() / 2];
@@ -168,10 +168,11 @@ std::string curve(const ChartSeries& series, std::size_t index) {
   constexpr std::array marks{7, 4, 9, 12, 5, 10};
   const std::string number = std::to_string(index + 1);
   const std::string colour = line_colour(series.colour);
-  const bool full = index % 2 == 0 && !series.is_peer;
+  const bool dashed = series.is_peer || series.is_other;
+  const bool full = index % 2 == 0 && !dashed;
   return "$good" + number + " using 1:2 with linespoints lw " + (full ? "3" : "1.5") + " ps " +
          (full ? "0.8" : "1.1") + " pt " + std::to_string(marks[index % marks.size()]) +
-         (series.is_peer ? " dt (6,5)" : "") + colour + ", $failed" + number +
+         (dashed ? " dt (6,5)" : "") + colour + ", $failed" + number +
          " using 1:($2 < top ? $2 : top) with points lw 2 pt 2 ps 1.1" + colour;
 }
 

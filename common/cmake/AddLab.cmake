@@ -4,8 +4,8 @@
 # once, against the contract <name>.hpp alone, and linked with one answer after the other:
 #   <name>_student_{test,scene,chart}     the student's <name>.cpp in this folder
 #   <name>_reference_{test,scene,chart}   solutions/<N>_<name>/<name>.cpp
-# and, where TUMBLE_PROOF, their tests with every other answer of solutions/<N>_<name>/:
-#   <other>.cpp        right answers, built otherwise: every test passes
+#   <name>_<other>_{test,scene,chart}     solutions/<N>_<name>/<other>.cpp, a right answer, too
+# and, where TUMBLE_PROOF, their tests with what else is in solutions/<N>_<name>/:
 #   mistakes/nan.cpp   returns NaN everywhere, and throws std::domain_error("not a number") where the
 #                      contract has no number: every test fails
 #   mistakes.cmake     the bank of mistakes where TUMBLE_MISTAKES, see add_mutant
@@ -62,24 +62,26 @@ function(add_lab name)
     _add_closer_look(debug -O0 -g)
     _add_closer_look(sanitized -O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all)
   endif()
-  if(EXISTS "${solutions}")
-    _add_answer(reference "${solutions}/${name}.cpp" project_flags PICTURES)
+  if(NOT EXISTS "${solutions}")
+    return()
   endif()
-  if(NOT TUMBLE_PROOF OR NOT EXISTS "${solutions}")
+  file(GLOB others CONFIGURE_DEPENDS "${solutions}/*.cpp")
+  list(REMOVE_ITEM others "${solutions}/${name}.cpp")
+  list(TRANSFORM others REPLACE "^.*/(.*)[.]cpp$" "\\1" OUTPUT_VARIABLE answers)
+  list(PREPEND answers reference)
+  list(PREPEND others "${solutions}/${name}.cpp")
+  foreach(answer source IN ZIP_LISTS answers others)
+    _add_answer(${answer} "${source}" project_flags PICTURES)
+  endforeach()
+  if(NOT TUMBLE_PROOF)
     return()
   endif()
 
-  _add_cases(reference right)
-  _add_seeds(reference)
-  _add_stub_cases()
-  file(GLOB others CONFIGURE_DEPENDS "${solutions}/*.cpp")
-  list(REMOVE_ITEM others "${solutions}/${name}.cpp")
-  foreach(source IN LISTS others)
-    cmake_path(GET source STEM answer)
-    _add_answer(${answer} "${source}" project_flags)
+  foreach(answer IN LISTS answers)
     _add_cases(${answer} right)
     _add_seeds(${answer})
   endforeach()
+  _add_stub_cases()
   _add_answer(nan "${solutions}/mistakes/nan.cpp" answer_flags)
   _add_cases(nan nan)
   set_tests_properties(${nan_tests} PROPERTIES PASS_REGULAR_EXPRESSION
@@ -196,6 +198,9 @@ function(_add_answer answer source flags)
   foreach(kind IN LISTS kinds)
     if(TARGET ${name}_${kind})
       add_executable(${implementation}_${kind})
+      if(NOT kind STREQUAL "test" AND NOT answer MATCHES "^(student|reference)$")
+        set_target_properties(${implementation}_${kind} PROPERTIES EXCLUDE_FROM_ALL ON)
+      endif()
       set(program ${name}_${kind})
       if(kind STREQUAL "test")
         set(program test_main ${name}_${tests})

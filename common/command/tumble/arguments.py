@@ -113,24 +113,29 @@ def _add_grade(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--out", metavar="OUT", help="where results go (default: DIR-graded)")
     parser.add_argument("--jobs", metavar="J", type=count, default=os.cpu_count() or 1,
                         help="submissions at a time (default: as many as processors)")
-    parser.add_argument("--shard", metavar="i/n", type=shard, default=(1, 1),
-                        help="only the i-th of n parts, as in 3/8")
+    parser.add_argument("--shard", metavar="i/n", type=shard, default=(1, 1), help="as in 3/8")
     parser.add_argument("--resume", action="store_true", help="keep results that still hold")
     parser.add_argument("--secret", metavar="FILE", help=(
         "of the course; hidden inputs are drawn from it (default: the file TUMBLE_SECRET names)"))
     parser.add_argument("--check", action="store_true", help="grade reference and stub alone")
-    parser.add_argument("--no-sandbox", action="store_true",
-                        help="run students' code unprotected; results say so")
+    parser.add_argument("--no-sandbox", action="store_true", help="unprotected; results say so")
 
 
 def _add_test(parser: argparse.ArgumentParser) -> None:
+    _add_answers(parser, "test this right answer of the kit; of several, one after the other")
     which = parser.add_mutually_exclusive_group()
-    which.add_argument("--all", action="store_true",
-                       help="explain every failure, not only the first")
+    which.add_argument("--all", action="store_true", help="explain every failure")
     which.add_argument("--case", metavar="WORDS", help=(
         "run the one case whose title holds these words, and show what your code prints"))
     parser.add_argument("--debug", action="store_true",
                         help="with --case: in gdb, stopped where your code is first called")
+
+
+def _add_answers(parser: argparse.ArgumentParser, text: str) -> None:
+    hidden = argparse.SUPPRESS if is_handout(ROOT) else None
+    which = parser.add_mutually_exclusive_group()
+    which.add_argument("--solution", action="store_true", help=hidden or "short for reference")
+    which.add_argument("--answer", metavar="NAME[,NAME]", help=hidden or text)
 
 
 def _add_hint(parser: argparse.ArgumentParser) -> None:
@@ -143,8 +148,8 @@ def _add_hint(parser: argparse.ArgumentParser) -> None:
 def _add_pictures(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--mesh", metavar="FILE.obj", action="append", default=[],
                         help="of lab 5: your own mesh, or two, instead of the shapes there are")
-    parser.add_argument("--solution", action="store_true", help=(
-        argparse.SUPPRESS if is_handout(ROOT) else "of the reference, not yours"))
+    _add_answers(parser, "draw this right answer of the kit; of several, the first in full and the "
+                 "others beside it")
     parser.add_argument("--out", metavar="DIR", help="where pictures go (default: Tumble's out/)")
 
 
@@ -160,8 +165,7 @@ def _add_frames(parser: argparse.ArgumentParser) -> None:
     moment = number_in(0.0, 1e6, "a time in seconds, zero or more")
     parser.add_argument("--size", metavar="WxH", type=size, help="of a frame (default 1280x720)")
     rate = number_in(0.0, 240.0, "a number above 0 and up to 240", above_low=True)
-    parser.add_argument("--fps", metavar="F", type=rate,
-                        help="frames a second, up to 240 (default 25)")
+    parser.add_argument("--fps", metavar="F", type=rate, help="frames a second (default 25)")
     parser.add_argument("--from", metavar="S", dest="start", type=moment, help="first moment [s]")
     parser.add_argument("--to", metavar="S", dest="end", type=moment, help="last moment [s]")
     parser.add_argument("--quality", choices=("draft", "film", "report"), help="default film")

@@ -14,7 +14,7 @@ from . import answer, build, ctest, look_into, runner, sanitized
 from .console import BAD_USAGE, FAILED, Failure, coloured, labelled, mark, say
 from .explained import (ASKED, LABEL_WIDTH, Checked, explained, help_lines, what_it_prints,
                         what_was_not_run)
-from .labs import Lab, find_lab
+from .labs import Lab, chosen_answers, find_lab
 from .outcome import NOT_WRITTEN, PASS, explanation, outcome
 
 
@@ -22,6 +22,10 @@ def run(root: Path, options: argparse.Namespace) -> int:
     lab = find_lab(root, options.lab)
     if options.debug and options.case is None:
         raise Failure("--debug looks into one case: add --case WORDS", BAD_USAGE)
+    if options.answer or options.solution:
+        if options.case is not None:
+            raise Failure("--case looks into your own answer: leave out --answer", BAD_USAGE)
+        return test_answers(root, lab, options)
     if options.case is not None:
         return look_into.run_one(root, lab, options.case, options.debug)
     return test_lab(root, lab, options.all)
@@ -37,6 +41,24 @@ def test_lab(root: Path, lab: Lab, explain_all: bool = False) -> int:
             return _look_closer(root, lab)
     say(*what_next(lab, checked, explain_all))
     return FAILED
+
+
+def test_answers(root: Path, lab: Lab, options: argparse.Namespace) -> int:
+    """Right answers of the kit, each in a checklist of its own."""
+    passed = True
+    with build.locked(root, "dev"):
+        for name in chosen_answers(root, lab, options.answer or "reference"):
+            target = f"{lab.name}_{name}_test"
+            build.require(root, "dev", [target])
+            program = build.build_folder(root, "dev") / "labs" / lab.folder / target
+            checked = [_checked(case) for case in
+                       runner.run_cases(program, f"{lab.folder}/{name}")]
+            say(*checklist(lab, checked, f"answer {name}"), "")
+            failures = [check for check in checked if check.outcome.word != PASS]
+            passed = passed and not failures
+            if failures:
+                say(*_first_of(lab, failures, options.all), "")
+    return 0 if passed else FAILED
 
 
 def _look_closer(root: Path, lab: Lab) -> int:
@@ -69,11 +91,12 @@ def _checked(case: ctest.Case) -> Checked:
     return Checked(step, title, case, outcome(case))
 
 
-def checklist(lab: Lab, checked: Sequence[Checked]) -> list[str]:
+def checklist(lab: Lab, checked: Sequence[Checked], whose: str = "") -> list[str]:
     """One line a step: its sign, number, title, passed/all and the word for it."""
     titles: Mapping[str, str] = {**{check.step: "" for check in checked}, **lab.steps()}
     longest = max((len(title) for title in titles.values()), default=0)
-    lines = [f"{coloured(lab.heading, 'bold')}    {coloured(lab.where_to_write(''), 'dim')}", ""]
+    whose = whose or lab.where_to_write("")
+    lines = [f"{coloured(lab.heading, 'bold')}    {coloured(whose, 'dim')}", ""]
     for step in sorted(titles, key=_by_number):
         words = [check.outcome.word for check in checked if check.step == step]
         if words:

@@ -1,4 +1,4 @@
-"""What there is in out/: out/<N>_<name>/<student|reference>/{film,chart}, read with distrust."""
+"""What there is in out/: out/<N>_<name>/<answer>/{film,chart}, read with distrust."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import csv
 import json
 import math
 import re
+import shlex
 from pathlib import Path
 from typing import Any, NamedTuple, Optional, Sequence
 
@@ -19,6 +20,7 @@ CHART = "chart"
 _COMMANDS = {FILM: "frames", CHART: "chart"}
 _INDEX = "charts.txt"
 _MAIN_CHART = "chart"
+_ANSWER = re.compile(r"[a-z][a-z0-9_]*")
 _CHART_NAME = re.compile(r"[a-z0-9_]+")
 _CHART_FILES = (".svg", ".png", ".pdf", ".csv", ".gp")
 
@@ -55,12 +57,14 @@ class LabPictures(NamedTuple):
 
 
 def read_gallery(labs: Sequence[Lab], out: Path) -> list[LabPictures]:
-    """The student's pictures come before the reference's."""
+    """The student's pictures come first, then the reference's."""
     gallery = []
     for lab in labs:
-        films = [_read_film(lab, variant, out) for variant in (STUDENT, REFERENCE)]
-        charts = [chart for variant in (STUDENT, REFERENCE)
-                  for chart in _read_charts(lab, variant, out)]
+        others = sorted(path.name for path in (out / lab.folder).glob("*")
+                        if _ANSWER.fullmatch(path.name) and path.name not in (STUDENT, REFERENCE))
+        variants = (STUDENT, REFERENCE, *others)
+        films = [_read_film(lab, variant, out) for variant in variants]
+        charts = [chart for variant in variants for chart in _read_charts(lab, variant, out)]
         gallery.append(LabPictures(lab, [film for film in films if film], charts))
     return gallery
 
@@ -70,9 +74,13 @@ def command_file(folder: Path) -> Path:
     return folder.with_name(f"{folder.name}-command.txt")
 
 
+def of_answer(variant: str) -> list[str]:
+    """What is typed for pictures of this answer."""
+    return {STUDENT: [], REFERENCE: ["--solution"]}.get(variant, ["--answer", variant])
+
+
 def default_command(lab: Lab, variant: str, kind: str) -> str:
-    solution = " --solution" if variant == REFERENCE else ""
-    return f"./tumble {_COMMANDS[kind]} {lab.number}{solution}"
+    return shlex.join(["./tumble", _COMMANDS[kind], str(lab.number), *of_answer(variant)])
 
 
 def _read_film(lab: Lab, variant: str, out: Path) -> Optional[Film]:

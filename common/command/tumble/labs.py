@@ -109,6 +109,26 @@ def is_handout(root: Path) -> bool:
     return not any(root.glob("solutions/*/*.cpp"))
 
 
+def answers(root: Path, lab: Lab) -> list[str]:
+    """The names of the kit's right answers, the reference first."""
+    others = sorted(path.stem for path in (root / "solutions" / lab.folder).glob("*.cpp"))
+    return ["reference", *(name for name in others if name != lab.name)]
+
+
+def chosen_answers(root: Path, lab: Lab, names: str) -> list[str]:
+    """From "NAME,NAME" as typed; "student" is the stub as it is filled in."""
+    require_solutions(root, "--answer")
+    known = ["student", *answers(root, lab)]
+    chosen = names.split(",")
+    for name in chosen:
+        if name not in known:
+            raise Failure(f"--answer: lab {lab.number} has no {printable(name)}; there are "
+                          + ", ".join(known), BAD_USAGE)
+    if len(set(chosen)) < len(chosen):
+        raise Failure(f"--answer: {printable(names)} names an answer twice", BAD_USAGE)
+    return chosen
+
+
 def require_solutions(root: Path, what: str) -> None:
     if is_handout(root):
         raise Failure(f"{what} needs the solutions, and this is a hand-out: it has none")

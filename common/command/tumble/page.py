@@ -18,6 +18,10 @@ _TEMPLATE = Path(__file__).with_name("page.html")
 _WHOSE = {STUDENT: "Your answer", REFERENCE: "Reference"}
 
 
+def _whose(variant: str) -> str:
+    return _WHOSE.get(variant, f"Answer {variant}")
+
+
 def write(root: Path, out: Path) -> Path:
     """Replaces the page in one move, so that a reader never meets half of one."""
     page = out / "index.html"
@@ -76,12 +80,12 @@ def _player(films: Sequence[Film], out: Path) -> str:
 
 def _stage(film: Film, out: Path) -> str:
     frames = [_url(frame, out) for frame in film.frames]
-    alt = f"{_WHOSE[film.variant]}: a frame of the film {film.title}".strip()
+    alt = f"{_whose(film.variant)}: a frame of the film {film.title}".strip()
     return (f'<figure data-frames="{escape(json.dumps(frames), quote=True)}" '
             f'data-fps="{film.fps:g}" data-start="{film.start:g}">\n'
-            f'<div class="stage"><p class="whose">{_WHOSE[film.variant]}</p>'
+            f'<div class="stage"><p class="whose">{_whose(film.variant)}</p>'
             f'<img src="{frames[0]}" alt="{escape(alt, quote=True)}"></div>\n'
-            f'<figcaption><p class="whose">{_WHOSE[film.variant]}</p>{_facts(film)}'
+            f'<figcaption><p class="whose">{_whose(film.variant)}</p>{_facts(film)}'
             f"{_command(film.command)}</figcaption>\n</figure>")
 
 
@@ -97,7 +101,7 @@ def _strip(film: Film, out: Path) -> str:
         return ""
     alt = f"Film strip of {film.title}. {film.subtitle} {film.measured}"
     url = _url(film.strip, out)
-    return (f'<figure class="strip"><p class="whose">Film strip &middot; {_WHOSE[film.variant]}</p>'
+    return (f'<figure class="strip"><p class="whose">Film strip &middot; {_whose(film.variant)}</p>'
             f'<a href="{url}"><img src="{url}" loading="lazy" '
             f'alt="{escape(alt, quote=True)}"></a></figure>')
 
@@ -121,7 +125,7 @@ def _charts(lab: Lab, charts: Sequence[Chart], out: Path) -> str:
 
 
 def _chart(lab: Lab, chart: Chart, command: str, out: Path) -> str:
-    whose = _WHOSE[chart.variant]
+    whose = _whose(chart.variant)
     if chart.image:
         url = _url(chart.image, out)
         title = chart.title or "error against time, both logarithmic"

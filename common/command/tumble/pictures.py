@@ -9,11 +9,11 @@ import subprocess
 from pathlib import Path
 from typing import Sequence
 
-from . import build, movie, page
+from . import build, gallery, movie, page
 from .console import (BAD_USAGE, FAILED, Failure, Progress, complain, require_writable,
                       say)
 from .gallery import CHART, FILM, REFERENCE, STUDENT, command_file
-from .labs import Lab, find_lab, require_solutions
+from .labs import Lab, chosen_answers, find_lab, require_solutions
 
 PROGRAMS = {"frames": "scene", "chart": "chart"}
 FOLDERS = {"frames": FILM, "chart": CHART}
@@ -27,12 +27,12 @@ class Picture:
 
     def __init__(self, lab: Lab, command: str, variant: str, out: Path):
         self.lab = lab
+        self.variant = variant
         self.kind = FOLDERS[command]
         self.target = f"{lab.name}_{variant}_{PROGRAMS[command]}"
         self.folder = out / lab.folder / variant / self.kind
         self.typed = ["./tumble", command, str(lab.number)]
-        if variant == REFERENCE:
-            self.typed.append("--solution")
+        self.typed += gallery.of_answer(variant)
 
     def draw(self, root: Path, arguments: Sequence[str], out: Sequence[str] = ()) -> bool:
         """Runs the program, which says itself what is wrong; the command goes beside its work."""
@@ -71,22 +71,33 @@ def run(root: Path, options: argparse.Namespace) -> int:
     lab = find_lab(root, options.lab)
     arguments = _film_arguments(options) if options.command == "frames" else _peers(options)
     arguments += _meshes(lab, options.mesh)
-    if options.solution:
-        require_solutions(root, "--solution")
     out = Path(options.out).absolute() if options.out else root / "out"
-    picture = Picture(lab, options.command, REFERENCE if options.solution else STUDENT, out)
+    pictures = [Picture(lab, options.command, name, out) for name in _answers(root, lab, options)]
     require_writable(out)
     if PEERS in arguments:  # CMake looks for them once; they may have come since
         build.configure(root, "release", again=True)
-    build.require(root, "release", [picture.target])
-    if not picture.draw(root, arguments, ["--out", options.out] if options.out else []):
-        return FAILED
-    if options.command == "frames":
-        for kind in movie.KINDS:
-            if getattr(options, kind):
-                say(movie.make(picture.folder, kind))
-    say(f"Look at {page.write(root, out)}, or at the files in {picture.folder}")
+    build.require(root, "release", [picture.target for picture in pictures])
+    where = ["--out", options.out] if options.out else []
+    beside: list[str] = []
+    for picture in reversed(pictures):  # the first is drawn last, with the others beside it
+        if not picture.draw(root, arguments + beside * (picture is pictures[0]), where):
+            return FAILED
+        if options.command == "frames":
+            for kind in movie.KINDS:
+                if getattr(options, kind):
+                    say(movie.make(picture.folder, kind))
+        else:
+            beside += ["--beside", picture.variant, str(picture.folder)]
+    say(f"Look at {page.write(root, out)}, or at the files in {pictures[0].folder}")
     return 0
+
+
+def _answers(root: Path, lab: Lab, options: argparse.Namespace) -> list[str]:
+    if options.answer:
+        return chosen_answers(root, lab, options.answer)
+    if options.solution:
+        require_solutions(root, "--solution")
+    return [REFERENCE if options.solution else STUDENT]
 
 
 def _meshes(lab: Lab, files: Sequence[str]) -> list[str]:

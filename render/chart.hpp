@@ -44,7 +44,7 @@ struct Chart {
   std::string failure_text;     ///< why there
   double rounding_floor = 0.0;  ///< error that double precision leaves at best; 0 draws none
   std::vector<ChartSeries> series;
-  std::string note;  ///< what a reader must know of how it was measured; below the chart, or empty
+  std::string note;  ///< what a reader must know of how it was measured; below the chart, in lines
 };
 
 /// lab,method,parameter,error,error_unit,seconds,work_unit,evaluations,status; a method that is not

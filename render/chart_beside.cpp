@@ -85,7 +85,7 @@ void draw_beside(Chart& chart, const std::string& answer, const std::string& fol
     if (own.is_peer || own.points.empty() || other == others.end()) continue;
     const double ratio = median_ratio(own.points, other->second);
     if (ratio > 1.0 / noise && ratio < noise) {
-      alike += (alike.empty() ? "" : ", ") + own.method;
+      alike += (alike.empty() ? "" : "; ") + own.method;
       continue;
     }
     series.push_back(own);
@@ -96,7 +96,7 @@ void draw_beside(Chart& chart, const std::string& answer, const std::string& fol
   }
   chart.series = std::move(series);
   if (alike.empty()) return;
-  chart.note += (chart.note.empty() ? "" : "; ") + ("as fast in " + answer + ": " + alike);
+  chart.note += (chart.note.empty() ? "" : "\n") + ("as fast in " + answer + ": " + alike);
 }
 
 }  // namespace render

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 #include <vector>
 
 #include "render/chart.hpp"
@@ -34,7 +35,8 @@ std::vector<std::string> notes(const Chart& chart) {
   }
   std::vector<std::string> notes;
   if (!missing.empty()) notes.push_back("not written yet: " + missing);
-  if (!chart.note.empty()) notes.push_back(chart.note);
+  std::istringstream lines(chart.note);
+  for (std::string line; std::getline(lines, line);) notes.push_back(line);
   return notes;
 }
 

@@ -73,9 +73,12 @@ struct Judged {
 /// `rung_done` is called after each parameter.
 template <typename RungDone>
 Judged judged(const Method& method, const Effort& effort, const RungDone& rung_done) {
-  Judged result{
-      {method.name, method.order, method.colour, {}, "", method.is_peer, method.shows_parameters},
-      {}};
+  Judged result;
+  result.series.method = method.name;
+  result.series.order = method.order;
+  result.series.colour = method.colour;
+  result.series.is_peer = method.is_peer;
+  result.series.shows_parameters = method.shows_parameters;
   try {
     for (const double parameter : method.parameters) {
       const Judgement judgement = method.judge(parameter);

@@ -1,5 +1,5 @@
-// Lab 2: the file you fill in and hand in. The contract of each function is in the header beside
-// it, the physics and the numbered equations are in README.md. Test with:  ./tumble test 2
+// Lab 2: you fill in this file and hand it in. The header beside it says what each function must
+// do. README.md has the physics and the numbered equations. Test your file with:  ./tumble test 2
 #include "gyroscopic_tumbling.hpp"
 
 #include "common/attitude.hpp"
@@ -12,16 +12,16 @@ namespace lab::gyroscopic_tumbling {
 
 Vec3 checked_moments(const Vec3& moments) {
   // TODO step 2.1, eq. (1)
-  // 1. Throw std::invalid_argument (of <stdexcept>) where a moment is not finite or not above zero.
-  // 2. Likewise where one is above the sum of the others by more than rounding.
-  // 3. Return what was given.
+  // 1. Throw std::invalid_argument (of <stdexcept>) if a moment is not finite or not above zero.
+  // 2. Throw it, too, if a moment is above the sum of the others by more than rounding.
+  // 3. Return the moments.
   throw common::NotImplemented("2.1 checked_moments");
 }
 
 Vec3 angular_acceleration(const Mat3& inertia, const Vec3& angular_velocity, const Vec3& torque) {
   // TODO step 2.1, eq. (2)
-  // 1. The spin about I ω: this is what turns L away although no torque acts.
-  // 2. What is left of the torque, through the inverse of I.
+  // 1. Compute ω × I ω. This term changes ω even if no torque acts.
+  // 2. Subtract it from the torque, and apply the inverse of I.
   throw common::NotImplemented("2.1 angular_acceleration");
 }
 
@@ -33,7 +33,7 @@ double rotational_energy(const Vec3& moments, const Spin& spin) {
 
 Vec3 angular_momentum(const Vec3& moments, const Spin& spin) {
   // TODO step 2.1, eq. (4)
-  // 1. I0 ω in body axes.
+  // 1. Compute I0 ω in body axes.
   // 2. Turn the vector into the world.
   throw common::NotImplemented("2.1 angular_momentum");
 }
@@ -44,8 +44,9 @@ RigidBodyState step_explicit(const RigidBody& body, const RigidBodyState& state,
                              const std::vector<AppliedForce>& forces, double dt) {
   // TODO step 2.2, eq. (5) to (8)
   // 1. Sum up forces and torques about the centre of mass.
-  // 2. Inertia in the world, then both accelerations.
-  // 3. New velocities. 4. New position and attitude, by the new velocities.
+  // 2. Compute the inertia in the world, then both accelerations.
+  // 3. Compute the new velocities.
+  // 4. Compute the new position and attitude from the new velocities.
   // 5. Normalise q.
   throw common::NotImplemented("2.2 step_explicit");
 }
@@ -55,22 +56,22 @@ RigidBodyState step_explicit(const RigidBody& body, const RigidBodyState& state,
 Vec3 implicit_residual(const Vec3& moments, const Vec3& angular_velocity_body,
                        const Vec3& next_angular_velocity_body, double dt) {
   // TODO step 2.3, eq. (9)
-  // 1. What the gyroscopic term must explain, and the term itself, at the new velocity.
+  // 1. Add the change of I0 ω and dt times the gyroscopic term, at the new velocity.
   throw common::NotImplemented("2.3 implicit_residual");
 }
 
 Mat3 implicit_jacobian(const Vec3& moments, const Vec3& next_angular_velocity_body, double dt) {
   // TODO step 2.3, eq. (10)
-  // 1. ω′ stands in the cross product twice: by the product rule there are two terms.
-  // 2. One of them has its factors swapped, and so a minus sign.
+  // 1. ω′ is in the cross product twice, so the product rule gives two terms.
+  // 2. In one of them the factors are swapped, which gives a minus sign.
   throw common::NotImplemented("2.3 implicit_jacobian");
 }
 
 Spin step_implicit(const Vec3& moments, const Spin& spin, double dt) {
   // TODO step 2.3, eq. (11) and (12)
-  // 1. Residual and Jacobian at ω′ = ω.
-  // 2. One Newton step: solve a 3 x 3 system.
-  // 3. common::exponential_map(ω′ dt) turns the attitude; ω′ is in body axes: which side?
+  // 1. Compute the residual and the Jacobian at ω′ = ω.
+  // 2. Take one Newton step: solve a 3 x 3 system.
+  // 3. common::exponential_map(ω′ dt) turns the attitude. ω′ is in body axes: which side of q?
   throw common::NotImplemented("2.3 step_implicit");
 }
 
@@ -78,15 +79,16 @@ Spin step_implicit(const Vec3& moments, const Spin& spin, double dt) {
 
 SpinRate spin_rate(const Vec3& moments, const Spin& spin) {
   // TODO step 2.4, eq. (13)
-  // 1. ω as a quaternion with real part 0, on the right of q: it is in body axes.
-  // 2. Euler's equations without a torque.
+  // 1. Make ω a quaternion with real part 0. It is on the right of q, because it is in body axes.
+  // 2. Use Euler's equations without a torque.
   throw common::NotImplemented("2.4 spin_rate");
 }
 
 Spin step_rk4(const Vec3& moments, const Spin& spin, double dt) {
   // TODO step 2.4, eq. (14)
-  // 1. Four rates: at the start, twice in the middle, at the end. q is not normalised in between.
-  // 2. Their mean with weights 1, 2, 2, 1.
+  // 1. Compute four rates: at the start, twice in the middle, and at the end. Do not normalise q in
+  //    between.
+  // 2. Take their mean with the weights 1, 2, 2, 1.
   // 3. Normalise q.
   throw common::NotImplemented("2.4 step_rk4");
 }
@@ -95,9 +97,9 @@ Spin step_rk4(const Vec3& moments, const Spin& spin, double dt) {
 
 Spin step_about_axis(const Vec3& moments, const Spin& spin, int axis, double dt) {
   // TODO step 2.5, eq. (15) and (16)
-  // 1. The quaternion (1, ½ ω_i dt e_i), normalised: no sine, no cosine.
+  // 1. Normalise the quaternion (1, ½ ω_i dt e_i). You need no sine and no cosine.
   // 2. Turn the attitude by it.
-  // 3. L rests in the world, so m = I0 ω turns the other way in the body. Then ω = m / I0.
+  // 3. L is constant in the world, so m = I0 ω turns the other way in the body. Then ω = m / I0.
   throw common::NotImplemented("2.5 step_about_axis");
 }
 
@@ -110,16 +112,16 @@ Spin step_splitting(const Vec3& moments, const Spin& spin, double dt) {
 
 Vec3 weight_torque_body(const HeavyTop& top, const Quat& world_from_body) {
   // TODO step 2.6, eq. (18)
-  // 1. Where is down, seen from the body?
-  // 2. The arm is along the body's z axis; weight_moment is m g l.
+  // 1. Which direction is down, as seen from the body?
+  // 2. The lever arm is along the body's z axis, and weight_moment is m g l.
   throw common::NotImplemented("2.6 weight_torque_body");
 }
 
 Spin step_kick_drift_kick(const HeavyTop& top, const Spin& spin, double dt) {
   // TODO step 2.6, eq. (19)
-  // 1. Kick: the torque changes the angular velocity for dt/2, the attitude stays.
-  // 2. Drift: common::free_symmetric_step(top, spin, dt).
-  // 3. Kick by the torque at the new attitude.
+  // 1. Kick: the torque changes the angular velocity for dt/2, and the attitude stays.
+  // 2. Drift: call common::free_symmetric_step(top, spin, dt).
+  // 3. Kick again, by the torque at the new attitude.
   throw common::NotImplemented("2.6 step_kick_drift_kick");
 }
 
@@ -133,7 +135,7 @@ Quat predicted_attitude(const Quat& world_from_body, const Vec3& angular_velocit
 Quat project(const Quat& q_pred) {
   // TODO step 2.7, eq. (21)
   // 1. Which point of the unit sphere is nearest to q_pred?
-  // 2. Scale by the greatest component first: a square neither over- nor underflows then.
+  // 2. Scale by the greatest component first, so that no square overflows or underflows.
   throw common::NotImplemented("2.7 project");
 }
 
@@ -152,19 +154,19 @@ Vec3 corrected_moments(const Vec3& moments, const MomentCorrection& correction) 
 
 Quat moser_veselov_increment(const Vec3& moments, const Vec3& angular_momentum_body, double dt) {
   // TODO step 2.8, eq. (24)
-  // 1. Divide by p0²: with e = p/p0 and 1/p0² = 1 + |e|² that is three equations for e.
-  // 2. Solve them for I_i e_i and iterate from e = 0, or use Newton's method, until e changes by a
-  // few ulp only (it need not come to rest quite).
-  // 3. Give up with std::domain_error where it does not come to rest.
-  // 4. p = (1, e), normalised.
+  // 1. Divide by p0². With e = p/p0 and 1/p0² = 1 + |e|² these are three equations for e.
+  // 2. Solve them for I_i e_i and iterate from e = 0, or use Newton's method. Stop when e changes
+  //    only by a few ulp; it need not be quite constant.
+  // 3. If e does not settle, give up and throw std::domain_error.
+  // 4. Normalise p = (1, e).
   throw common::NotImplemented("2.8 moser_veselov_increment");
 }
 
 Spin step_moser_veselov(const Vec3& moments, const MomentCorrection& correction, const Spin& spin,
                         double dt) {
   // TODO step 2.8, eq. (25)
-  // 1. m = I0 ω with the body's own moments; the increment with the corrected ones.
-  // 2. Turn q by p, and m the other way; ω = m / I0, again with the body's own.
+  // 1. Compute m = I0 ω with the body's own moments, and the increment with the corrected ones.
+  // 2. Turn q by p, and m the other way. Then ω = m / I0, again with the body's own moments.
   throw common::NotImplemented("2.8 step_moser_veselov");
 }
 

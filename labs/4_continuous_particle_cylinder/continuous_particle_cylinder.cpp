@@ -1,7 +1,7 @@
-// Lab 4: the file you fill in and hand in. The contract of each function is in the header beside
-// it, the physics and the numbered equations are in README.md. Test with:  ./tumble test 4
+// Lab 4: you fill in this file and hand it in. The header beside it says what each function must
+// do. README.md has the physics and the numbered equations. Test your file with:  ./tumble test 4
 //
-// Supplied, for you to include where you want them:
+// You may include these headers, which are supplied:
 //   common/require.hpp        checks of arguments that throw std::invalid_argument
 //   common/double_double.hpp  sums and products of doubles without rounding, and 106-bit numbers
 //   common/exact_number.hpp   numbers that are never rounded, for the few decisions that need them
@@ -19,10 +19,10 @@ namespace lab::continuous_particle_cylinder {
 std::optional<double> time_of_impact_textbook(const MovingParticle& particle,
                                               const Cylinder& cylinder, double dt) {
   // TODO step 4.1, eq. (2) and (3)
-  // 1. Check the arguments: common/require.hpp throws what the contract says.
-  // 2. Take a, b and c in the yz-plane, c with ρ = R + r. Where c ≤ 0 the answer is 0.
-  // 3. No root, no impact; mind a = 0.
-  // 4. Take the earlier root, as the formula has it, where it is in [0, dt].
+  // 1. Check the arguments. common/require.hpp throws as the contract says.
+  // 2. Compute a, b and c in the yz-plane, with ρ = R + r in c. If c ≤ 0, return 0.
+  // 3. If there is no root, there is no impact. Beware of a = 0.
+  // 4. Take the earlier root by the formula as it is, and return it if it is in [0, dt].
   throw common::NotImplemented("4.1 time_of_impact_textbook");
 }
 
@@ -30,7 +30,7 @@ std::optional<double> time_of_impact_textbook(const MovingParticle& particle,
 
 double difference_of_products(double a, double b, double c, double d) {
   // TODO step 4.2, eq. (4)
-  // 1. Round c d. std::fma gives what the rounding took away or added, exactly.
+  // 1. Round c d. std::fma gives the rounding error of this product exactly.
   // 2. std::fma subtracts the rounded c d from a b with one rounding. Then correct it.
   throw common::NotImplemented("4.2 difference_of_products");
 }
@@ -38,12 +38,13 @@ double difference_of_products(double a, double b, double c, double d) {
 std::optional<double> time_of_impact(const MovingParticle& particle, const Cylinder& cylinder,
                                      double dt) {
   // TODO step 4.2, eq. (5) and (6)
-  // 1. c: the greater of y² and z², less ρ², by eq. (4), and the other square. 0 where |x| − ρ is
-  //    not above zero by more than its rounding.
-  // 2. The particle must approach: x·v below zero.
-  // 3. The discriminant from ρ|v| and x × v; below zero by more than its rounding is a miss.
-  // 4. The root in which nothing cancels.
-  // 5. It may be past dt by its rounding: an impact at dt must not be missed.
+  // 1. For c, take the greater of y² and z², subtract ρ² by eq. (4), and add the other square. If
+  //    |x| − ρ is not above zero by more than its rounding, return 0.
+  // 2. The particle must approach: x·v is below zero.
+  // 3. Compute the discriminant from ρ|v| and x × v. It is a miss if the discriminant is below zero
+  //    by more than its rounding.
+  // 4. Compute the root in the form in which nothing cancels.
+  // 5. Its rounding may put it past dt, but you must not miss an impact at dt.
   throw common::NotImplemented("4.2 time_of_impact");
 }
 
@@ -53,9 +54,9 @@ std::optional<double> time_of_impact_certified(const MovingParticle& particle,
                                                const Cylinder& cylinder, double dt) {
   // TODO step 4.3, eq. (7)
   // 1. Four signs decide: of c, of x·v, of the discriminant, and whether the root is past dt.
-  // 2. Take each in double-double with a bound of its error; where the bound is larger than the
-  //    value, and where sizes leave the range of double-double, take it by common::ExactNumber.
-  // 3. Then, and only then, compute the root in double-double and round it.
+  // 2. Compute each in double-double with a bound on its error. If the bound is larger than the
+  //    value, or if sizes leave the range of double-double, use common::ExactNumber.
+  // 3. Only then compute the root in double-double and round it.
   throw common::NotImplemented("4.3 time_of_impact_certified");
 }
 
@@ -63,8 +64,8 @@ Advancement conservative_advancement(const MovingParticle& particle, const Cylin
                                      double dt, double tolerance) {
   // TODO step 4.3, eq. (8)
   // 1. Start at t = 0. Evaluate φ and count it.
-  // 2. Within the tolerance: done.
-  // 3. Else nothing can be touched before t + φ/|v|: go there, unless that is past dt.
+  // 2. If φ is within the tolerance, you are done.
+  // 3. Otherwise no contact is possible before t + φ/|v|. Go there, unless that is past dt.
   throw common::NotImplemented("4.3 conservative_advancement");
 }
 
@@ -73,8 +74,9 @@ Advancement conservative_advancement(const MovingParticle& particle, const Cylin
 ParticleContact contact_at(const MovingParticle& particle, const Cylinder& cylinder, double time) {
   // TODO step 4.4, eq. (9)
   // 1. Move the particle to `time`.
-  // 2. The normal is its direction from the axis in the yz-plane, +y on the axis.
-  // 3. Build both points from the normal, so that they are where they must be.
+  // 2. The normal is its direction from the axis in the yz-plane, or +y on the axis.
+  // 3. Compute both points from the normal: then the last bits of `time` do not move them off the
+  //    surfaces.
   throw common::NotImplemented("4.4 contact_at");
 }
 
@@ -84,9 +86,9 @@ std::vector<double> times_of_impact(const MovingParticles& particles, const Cyli
                                     double dt) {
   // TODO step 4.5
   // 1. Check the arrays' lengths, then every number in them.
-  // 2. Make room for the result once.
-  // 3. First write down what step 4.3 gives, particle by particle. Then ask what of it can be done
-  //    for many particles by the same instructions.
+  // 2. Allocate the result once.
+  // 3. First use step 4.3 particle by particle. Then ask which parts of it the same instructions
+  //    can do for many particles.
   throw common::NotImplemented("4.5 times_of_impact");
 }
 
@@ -95,11 +97,11 @@ std::vector<double> times_of_impact(const MovingParticles& particles, const Cyli
 std::optional<double> time_of_impact_of_edge(const MovingEdge& edge, const Cylinder& cylinder,
                                              double dt) {
   // TODO step 4.6, eq. (10) and (11)
-  // 1. The ends are particles: step 4.3.
-  // 2. The inside touches where the line through the ends is ρ from the axis: a quartic in t.
-  // 3. Of its roots the first counts at which the nearest point of the line is on the edge.
-  // 4. A root must not be missed because two are close: halve the step until the signs of the
-  //    quartic's coefficients in Bernstein's form tell, and count exactly where they cannot.
+  // 1. The ends are particles: use step 4.3.
+  // 2. The inside touches when the line through the ends is ρ from the axis, a quartic in t.
+  // 3. A root counts if the nearest point of the line is on the edge then. Take the first one.
+  // 4. Do not miss a root because two are close. Halve the step until the signs of the quartic's
+  //    coefficients in Bernstein's form decide, and if they cannot, count the roots exactly.
   throw common::NotImplemented("4.6 time_of_impact_of_edge");
 }
 

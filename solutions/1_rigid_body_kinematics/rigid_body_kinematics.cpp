@@ -49,7 +49,7 @@ Mat3 step_matrix_euler(const Mat3& world_from_body, const Vec3& angular_velocity
 Mat3 nearest_rotation(const Mat3& matrix) {
   auto [U, S, V] = common::singular_values(matrix);
   const double det = (U * V.transpose()).determinant();
-  if (det < 0.0) U.col(2) = -U.col(2);  // give way where the matrix is least sure: S(2) is least
+  if (det < 0.0) U.col(2) = -U.col(2);  // flip the direction of the least singular value, S(2)
   return U * V.transpose();
 }
 

@@ -19,7 +19,7 @@ Vec3 momentum_body(const Vec3& moments, const Spin& spin) {
   return moments.cwiseProduct(spin.angular_velocity_body);
 }
 
-/// A motion as sub-rotations carry it on: q of any length, m in body axes.
+/// The motion during the sub-rotations: q may have any length, m is in body axes.
 struct Carried {
   Quat q;
   Vec3 m;
@@ -33,8 +33,8 @@ Spin spin_of(const Vec3& moments, const Carried& now) {
   return {now.q.normalized(), now.m.cwiseQuotient(moments)};
 }
 
-/// The body turns by 2 atan t about its axis i, where t = ½ ω_i dt, and m the other way, so that L
-/// stays where it is in the world.
+/// Turns the body by 2 atan t about its axis i, with t = ½ ω_i dt, and m the other way, so that L
+/// is constant in the world.
 template <int i>
 Carried sub_rotation(const Vec3& moments, const Carried& now, double dt) {
   constexpr int j = (i + 1) % 3;
@@ -61,7 +61,8 @@ Spin moved(const Spin& spin, const SpinRate& rate, double dt) {
           spin.angular_velocity_body + dt * rate.angular_acceleration_body};
 }
 
-/// Velocities after dt and the position that they lead to; the attitude is left as it was.
+/// Returns the state with the new velocities and the position that follows from them. The attitude
+/// is still the old one.
 RigidBodyState with_new_velocities(const RigidBody& body, const RigidBodyState& state,
                                    const std::vector<AppliedForce>& forces, double dt) {
   Vec3 force = Vec3::Zero();
@@ -227,11 +228,11 @@ Vec3 corrected_moments(const Vec3& moments, const MomentCorrection& correction) 
 }
 
 Quat moser_veselov_increment(const Vec3& moments, const Vec3& angular_momentum_body, double dt) {
-  // With e = p/p0: I_i e_i = ½ dt m_i (1 + |e|²) − (I_k − I_j) e_j e_k, by Newton's method.
+  // With e = p/p0, solve I_i e_i = ½ dt m_i (1 + |e|²) − (I_k − I_j) e_j e_k by Newton's method.
   const Vec3& I = moments;
   const Vec3 half = 0.5 * dt * angular_momentum_body;
   const Vec3 spread(I.z() - I.y(), I.x() - I.z(), I.y() - I.x());
-  constexpr int most_steps = 50;  // Newton's method needs some five, some 25 next to the limit
+  constexpr int most_steps = 50;  // Newton's method needs about 5, and about 25 near the limit
   Vec3 e = Vec3::Zero();
   for (int step = 0; step < most_steps; ++step) {
     const Vec3 products(e.y() * e.z(), e.z() * e.x(), e.x() * e.y());

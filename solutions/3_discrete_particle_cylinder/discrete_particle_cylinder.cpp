@@ -11,7 +11,7 @@
 namespace lab::discrete_particle_cylinder {
 namespace {
 
-/// The sum of the radii, checked.
+/// Returns the sum of the radii, and throws if one of them is not above zero.
 double sum_of_radii(double particle_radius, const Cylinder& cylinder) {
   common::require_positive(particle_radius, "particle_radius");
   common::require_positive(cylinder.radius, "cylinder.radius");
@@ -34,7 +34,7 @@ struct TrianglePoint {
 
 EdgePoint nearest_on_edge(const Vec3& a, const Vec3& b) {
   const double distance_a = distance_from_axis(a);
-  if (distance_from_axis(b) < distance_a) {  // from the nearer end on: its ulp are the smaller
+  if (distance_from_axis(b) < distance_a) {  // from the nearer end, whose ulp are smaller
     const EdgePoint reversed = nearest_on_edge(b, a);
     return {reversed.distance, 1.0 - reversed.fraction};
   }
@@ -47,7 +47,7 @@ EdgePoint nearest_on_edge(const Vec3& a, const Vec3& b) {
   return {distance_from_axis(a + fraction * edge), fraction};
 }
 
-/// a b − c d to 2 ulp, so its sign for certain: the rounding of c d is taken back (Kahan).
+/// Returns a b − c d to 2 ulp, so its sign is certain: the rounding error of c d is added (Kahan).
 double difference_of_products(double a, double b, double c, double d) {
   const double cd = c * d;
   return std::fma(a, b, -cd) + std::fma(-c, d, cd);
@@ -57,12 +57,12 @@ double cross(const Vec3& p, const Vec3& q) {
   return difference_of_products(p.y(), q.z(), p.z(), q.y());
 }
 
-/// The weights with which the corners add up to the axis, where it goes through the triangle.
+/// Returns the weights with which the corners add up to the axis, if it goes through the triangle.
 std::optional<Vec3> weights_of_axis(Vec3 a, Vec3 b, Vec3 c) {
   const double size = std::max({std::abs(a.y()), std::abs(a.z()), std::abs(b.y()), std::abs(b.z()),
                                 std::abs(c.y()), std::abs(c.z())});
   if (size == 0.0) return std::nullopt;
-  for (Vec3* corner : {&a, &b, &c}) {  // by a power of two, so without rounding
+  for (Vec3* corner : {&a, &b, &c}) {  // a power of two, so nothing is rounded
     corner->y() = std::scalbn(corner->y(), -std::ilogb(size));
     corner->z() = std::scalbn(corner->z(), -std::ilogb(size));
   }
@@ -123,8 +123,8 @@ std::vector<std::size_t> particles_in_contact(const std::vector<Vec3>& positions
   const double rho = sum_of_radii(particle_radius, cylinder);
   for (const Vec3& position : positions) common::require_finite(position, "positions");
 
-  // With ρ scaled to near 1, squares may overflow or vanish only where that decides rightly. They
-  // err by 4 ulp: within 16 of ρ² the distance itself decides, as in gap.
+  // With ρ scaled to near 1, squares may overflow or vanish only if that does not change the
+  // answer. They err by 4 ulp. So within 16 ε of ρ² the distance itself decides, as in gap.
   const double scale = std::scalbn(1.0, -std::clamp(std::ilogb(rho), -1000, 1000));
   const double square_of_rho = (scale * rho) * (scale * rho);
   const double unsure = 16.0 * std::numeric_limits<double>::epsilon() * square_of_rho;

@@ -31,7 +31,7 @@ void require_valid(const MovingParticle& particle, const Cylinder& cylinder, dou
   common::require_not_negative(dt, "dt");
 }
 
-/// All that counts: the motion in the yz-plane, and the two radii, whose sum may not be a double.
+/// The motion in the yz-plane, which decides, and both radii, because R + r would be rounded.
 struct Motion {
   double y, z, v_y, v_z;
   double R, r;
@@ -60,7 +60,7 @@ std::optional<double> time_of_impact_textbook(const MovingParticle& particle,
   const double c = y * y + z * z - rho * rho;
   if (c <= 0.0) return 0.0;
   const double t = (-b - std::sqrt(b * b - 4.0 * a * c)) / (2.0 * a);  // eq. (3)
-  if (t >= 0.0 && t <= dt) return t;  // neither where it is NaN: a path that passes by, or at rest
+  if (t >= 0.0 && t <= dt) return t;  // false if t is NaN: it passes by or is at rest
   return std::nullopt;
 }
 
@@ -91,7 +91,7 @@ std::optional<double> time_of_impact(const MovingParticle& particle, const Cylin
   const double y_end = std::fma(dt, v_y, y);
   const double z_end = std::fma(dt, v_z, z);
   const bool outside_at_end = y_end * y_end + z_end * z_end > lean * rho_squared;
-  if (outside_at_end && -b > lean * (a * dt)) return std::nullopt;  // and still nearing
+  if (outside_at_end && -b > lean * (a * dt)) return std::nullopt;  // still approaching
 
   const double discriminant = (w_touching - w) * (w_touching + w);    // eq. (5)
   const double t = c / (std::sqrt(std::max(discriminant, 0.0)) - b);  // eq. (6)
@@ -102,11 +102,11 @@ std::optional<double> time_of_impact(const MovingParticle& particle, const Cylin
 
 namespace {
 
-/// The X whose signs decide, in any type of number. On the path |x + t v|² − ρ² = a t² + 2 b t + c.
+/// The X whose signs decide, for any type of number. |x + t v|² − ρ² = a t² + 2 b t + c.
 template <typename Number>
 struct Quadratic {
   Number c, b, discriminant;
-  Number at_end, slope;  ///< of the parabola at dt, the slope halved
+  Number at_end, slope;  ///< the parabola at dt, and half of its slope there
 };
 
 template <typename Number>
@@ -120,7 +120,7 @@ Quadratic<Number> quadratic(const Motion& m, double dt) {
   return {c, b, rho * rho * a - w * w, (a * t + b + b) * t + c, a * t + b};
 }
 
-/// A number by which the same formula gives the sum of the sizes of its terms.
+/// A number type for which the same formula gives the sum of the sizes of its terms.
 struct Size {
   double value = 0.0;
   Size(double x) : value(std::abs(x)) {}  // NOLINT: a double has a size
@@ -129,17 +129,17 @@ Size operator+(Size a, Size b) { return a.value + b.value; }
 Size operator-(Size a, Size b) { return a.value + b.value; }
 Size operator*(Size a, Size b) { return a.value * b.value; }
 
-/// Whether products of four such sizes are in the range of double-double.
+/// Returns whether products of four such sizes are in the range of double-double.
 bool is_moderate(double size) { return size == 0.0 || (size > 1e-60 && size < 1e60); }
 
-/// c/(−b + √D): only the quotient need be within the range of a double, so both are taken near 1.
+/// Returns c/(−b + √D). It scales both to near 1, because only the quotient must fit into a double.
 double exact_root(const Quadratic<ExactNumber>& q) {
   const int scale_c = q.c.exponent(), scale_b = q.b.exponent();  // √D is no greater than −b
   const DoubleDouble divisor = sqrt(q.discriminant.rounded(-2 * scale_b)) - q.b.rounded(-scale_b);
   return std::ldexp((q.c.rounded(-scale_c) / divisor).high, scale_c - scale_b);
 }
 
-/// t* for certain, infinity where there is none.
+/// Returns t* for certain, or infinity if there is no impact.
 double certified_time(const Motion& m, double dt) {
   using Exact = Quadratic<ExactNumber>;
   const bool moderate = is_moderate(std::hypot(m.y, m.z)) && is_moderate(m.R + m.r) &&
@@ -156,7 +156,7 @@ double certified_time(const Motion& m, double dt) {
   const int at_end = sign(x.at_end, terms.at_end, &Exact::at_end);
   if (at_end > 0 && sign(x.slope, terms.slope, &Exact::slope) < 0) return infinity;
 
-  // A sign needs one digit, a time needs them all.
+  // A sign needs only one digit, but a time needs all of them.
   const DoubleDouble root = sqrt(x.discriminant);
   const bool has_digits = moderate && x.c.high > 1e-12 * terms.c.value &&
                           -x.b.high > 1e-12 * terms.b.value &&
@@ -185,7 +185,7 @@ Advancement conservative_advancement(const MovingParticle& particle, const Cylin
     const double gap = std::hypot(y + t * v_y, z + t * v_z) - (R + r);
     ++advancement.iterations;
     const double next = t + gap / speed;  // eq. (8); infinite at rest
-    if (gap <= tolerance || next == t) {  // or too near for t to tell
+    if (gap <= tolerance || next == t) {  // or φ/|v| is too small to change t
       advancement.time = t;
       break;
     }
@@ -236,8 +236,8 @@ std::vector<double> times_of_impact(const MovingParticles& particles, const Cyli
 
 namespace {
 
-/// Over s = t/T in [0, 1]: the edge's inside touches where f ≤ 0 and p·d < 0 < q·d, with d = q − p.
-/// The second is −(p·d)(q·d) > 0, since q·d − p·d = |d|².                                 eq. (10)
+/// Polynomials in s = t/T from 0 to 1. The edge's inside touches if f ≤ 0 and p·d < 0 < q·d, with
+/// d = q − p. Since q·d − p·d = |d|², the second condition is −(p·d)(q·d) > 0.            eq. (10)
 struct Inside {
   ExactPolynomial f, foot;
 };
@@ -251,13 +251,13 @@ Inside inside_of(const MovingEdge& edge, const Cylinder& cylinder, double T) {
   return {C * C - rho * rho * dot(d, d), ExactPolynomial{} - dot(p, d) * dot(q, d)};
 }
 
-/// The same between two s, in Bernstein's form.                                          eq. (11)
+/// The same polynomials between two values of s, in Bernstein's form.                     eq. (11)
 struct Piece {
   double from, to;
   common::Bernstein<DoubleDouble, 4> f, foot;
 };
 
-/// The first s of a piece at which the inside comes to touch.
+/// Returns the first s of a piece at which the inside begins to touch.
 std::optional<double> first_touch(const Inside& inside, const Piece& piece) {
   constexpr double doubt = common::bernstein_error;
   const auto [f_lowest, f_highest] = common::range(piece.f);
@@ -267,7 +267,7 @@ std::optional<double> first_touch(const Inside& inside, const Piece& piece) {
   const bool narrow = piece.to - piece.from <= time_accuracy;
   const bool falls = piece.f.front().high > doubt && piece.f.back().high < -doubt;
   if (narrow && falls && foot_lowest > doubt) return piece.to;
-  if (narrow || (f_lowest > -doubt && f_highest < doubt)) {  // a tie, which no halving settles
+  if (narrow || (f_lowest > -doubt && f_highest < doubt)) {  // a tie: halving does not settle it
     const common::ExactRoots touches(inside.f, inside.foot);
     if (touches.count(piece.from, piece.to) == 0) return std::nullopt;
     return touches.first(piece.from, piece.to, time_accuracy);
@@ -289,7 +289,7 @@ std::optional<double> time_of_impact_of_edge(const MovingEdge& edge, const Cylin
   require_valid(end_b, cylinder, dt);
   const double end = std::min(certified_time(motion(end_a, cylinder), dt),
                               certified_time(motion(end_b, cylinder), dt));
-  // Till T no end touches; what is nearer to the ends' impact than t* must be does not count.
+  // Before T no end touches. Times closer to the ends' impact than the accuracy of t* do not count.
   const double T = std::min(end * (1.0 - time_accuracy), dt);
   const Inside inside = inside_of(edge, cylinder, T);
   if (inside.f[0].sign() <= 0 && inside.foot[0].sign() > 0) return 0.0;

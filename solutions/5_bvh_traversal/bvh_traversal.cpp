@@ -39,7 +39,7 @@ double surface_area(const Box& box) {
   const double w = box.high[0] - box.low[0];
   const double h = box.high[1] - box.low[1];
   const double d = box.high[2] - box.low[2];
-  if (!(w >= 0.0)) return 0.0;           // empty: its sides are negative, their products are not
+  if (!(w >= 0.0)) return 0.0;           // empty: negative sides would have positive products
   return 2.0 * (w * h + h * d + d * w);  // eq. (4)
 }
 
@@ -47,7 +47,7 @@ double surface_area(const Box& box) {
 
 namespace {
 
-/// A triangle, as a cut sees it.
+/// The data of a triangle that a cut needs.
 struct Part {
   Box box;
   Vec3 centroid;  ///< [m]
@@ -55,7 +55,7 @@ struct Part {
 using Parts = std::vector<Part>;                     // by the mesh's numbers
 using Place = std::vector<std::uint32_t>::iterator;  // in the list of triangles
 
-/// From the least to the greatest centroid in every coordinate.
+/// Returns the box from the least to the greatest centroid in every coordinate.
 Box spread_of_centroids(const Parts& parts, Place begin, Place end) {
   Box spread;
   for (Place i = begin; i != end; ++i) {
@@ -64,7 +64,7 @@ Box spread_of_centroids(const Parts& parts, Place begin, Place end) {
   return spread;
 }
 
-/// Puts a range of the list in order, and returns where its second part begins.
+/// Puts a range of the list in order, and returns the beginning of its second part.
 using Cut = Place (*)(const Parts& parts, Place begin, Place end, int depth, int bins);
 
 /// Puts the lesser half in front, at any depth.                                           eq. (5)
@@ -74,7 +74,7 @@ Place halved(const Parts& parts, Place begin, Place end, int /*depth*/, int /*bi
   for (int i = 1; i < 3; ++i) {
     if (spread.high[i] - spread.low[i] > spread.high[axis] - spread.low[axis]) axis = i;
   }
-  // By number, not by place: equal centroids are halved like any others.
+  // Halve by number, not by place, so that equal centroids are halved like any others.
   const Place middle = begin + (end - begin) / 2;
   std::nth_element(begin, middle, end, [&](std::uint32_t i, std::uint32_t j) {
     return parts[i].centroid[axis] < parts[j].centroid[axis];
@@ -82,7 +82,7 @@ Place halved(const Parts& parts, Place begin, Place end, int /*depth*/, int /*bi
   return middle;
 }
 
-/// A tree while it is built.
+/// A tree during its construction.
 struct Growth {
   Parts parts;
   int leaf_size;
@@ -91,7 +91,7 @@ struct Growth {
   Bvh bvh;
 
   void build(std::uint32_t index, Place begin, Place end, int depth) {
-    BvhNode node;  // put in its place at the end, since `nodes` grows meanwhile
+    BvhNode node;  // stored at the end, because `nodes` grows meanwhile
     if (end - begin <= leaf_size) {
       node.first = static_cast<std::uint32_t>(begin - bvh.triangles.begin());
       node.count = static_cast<std::uint32_t>(end - begin);
@@ -172,7 +172,7 @@ namespace {
 Box moved(const Box& box, const RigidTransform& motion);  // step 5.7
 Box seen(const Box& box, const RigidTransform* by) { return by == nullptr ? box : moved(box, *by); }
 
-/// a_from_b is null at rest.                                                              eq. (6)
+/// Finds the pairs of leaves. a_from_b is null if b is at rest.                           eq. (6)
 Traversal pairs_of_leaves(const Bvh& a, const Bvh& b, const RigidTransform* a_from_b) {
   Traversal found;
   std::vector<NodePair> stack{{0, 0}};
@@ -214,7 +214,7 @@ using Signs = std::array<int, 3>;
 bool all_zero(const Signs& s) { return s[0] == 0 && s[1] == 0 && s[2] == 0; }
 bool one_side(const Signs& s) { return s[0] != 0 && s[0] == s[1] && s[0] == s[2]; }
 
-/// On which sides of the triangle's plane the points are: the signs of (7).
+/// Returns the sides of the triangle's plane on which the points are: the signs of (7).
 Signs sides(const Triangle& plane, const Triangle& points) {
   Signs s{};
   for (std::size_t i = 0; i < 3; ++i) s[i] = orientation(plane[0], plane[1], plane[2], points[i]);
@@ -222,7 +222,7 @@ Signs sides(const Triangle& plane, const Triangle& points) {
 }
 
 /// Turns the triangle so that its first corner is alone on its side of a plane, or alone on the
-/// plane. Returns 1 if that side is above the plane, or the others are below, and −1 if not.
+/// plane. Returns 1 if that side is above the plane or the others are below it, and −1 otherwise.
 int put_alone_first(Triangle& t, const Signs& s) {
   for (std::size_t i = 0; i < 3; ++i) {
     const int s_j = s[(i + 1) % 3];
@@ -236,8 +236,8 @@ int put_alone_first(Triangle& t, const Signs& s) {
   throw std::logic_error("all corners are on one side of the plane");
 }
 
-/// Each crosses the other's plane, and so meets the line of both planes in an interval. Whether
-/// these overlap shows in two orientations. Guigue, Devillers 2003, JGT 8(1).             eq. (7)
+/// Each triangle crosses the other's plane, so it meets the line of both planes in an interval. Two
+/// orientations tell whether the intervals overlap. Guigue, Devillers 2003, JGT 8(1).     eq. (7)
 bool intervals_overlap(Triangle a, const Signs& side_a, Triangle b, const Signs& side_b) {
   const bool turn_b_over = put_alone_first(a, side_a) < 0;
   const bool turn_a_over = put_alone_first(b, side_b) < 0;
@@ -246,7 +246,8 @@ bool intervals_overlap(Triangle a, const Signs& side_a, Triangle b, const Signs&
   return orientation(a[0], a[1], b[0], b[1]) <= 0 && orientation(a[0], a[2], b[2], b[0]) <= 0;
 }
 
-/// Whether, of their shadows on x and y, an edge of a has a on one side or on it, b on the other.
+/// Returns whether an edge of a separates the projections on x and y: b is strictly on one side of
+/// it, and a is on the other side or on it.
 bool parted_by_edge(const Triangle& a, const Triangle& b, int x, int y) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3& p = a[i];
@@ -260,8 +261,8 @@ bool parted_by_edge(const Triangle& a, const Triangle& b, int x, int y) {
   return false;
 }
 
-/// Corners all in one plane: the triangles meet if their shadows along all three axes do. One of
-/// the shadows shows the plane in full, or the line if all corners are on one.
+/// Returns whether triangles in one plane meet: they do if their projections along all three axes
+/// meet. One projection shows the plane in full, or the line if all corners are on one line.
 bool meet_in_plane(const Triangle& a, const Triangle& b) {
   if (!overlap(box_of(a), box_of(b))) return false;
   for (int x = 0; x < 3; ++x) {
@@ -270,7 +271,7 @@ bool meet_in_plane(const Triangle& a, const Triangle& b) {
   return true;
 }
 
-/// Whether an edge of the segment, which a is, goes through b. Not both ends are in b's plane.
+/// Returns whether a, a segment with at most one end in b's plane, goes through b.
 bool segment_pierces(const Triangle& a, const Signs& side_a, const Triangle& b) {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
@@ -283,7 +284,7 @@ bool segment_pierces(const Triangle& a, const Signs& side_a, const Triangle& b) 
   return false;
 }
 
-/// Whether a and b, both segments or points, are on two lines without a common plane.
+/// Returns whether a and b, which are segments or points, have no plane in common.
 bool are_skew(const Triangle& a, const Triangle& b) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
@@ -293,7 +294,8 @@ bool are_skew(const Triangle& a, const Triangle& b) {
   return false;
 }
 
-/// All pairs of triangles of the leaves. Boxes are asked first, uncounted. Null: a and b at rest.
+/// Tests all pairs of triangles of the leaves, first by their boxes, which are not counted.
+/// a_from_b is null if b is at rest.
 Intersections pairs_that_meet(const Bvh& a, const Bvh& b, const RigidTransform* a_from_b) {
   const Traversal leaves = pairs_of_leaves(a, b, a_from_b);
   Intersections found{{}, leaves.box_tests, 0};
@@ -324,7 +326,7 @@ bool triangles_meet(const Triangle& a, const Triangle& b) {
   const Signs side_a = sides(b, a);
   if (one_side(side_a)) return false;
   if (!all_zero(side_a) && !all_zero(side_b)) return intervals_overlap(a, side_a, b, side_b);
-  // A triangle without a plane, a segment or a point, has all points in every plane through it.
+  // A segment or a point has no plane of its own: its corners are in every plane through it.
   if (!all_zero(side_a)) return segment_pierces(a, side_a, b);
   if (!all_zero(side_b)) return segment_pierces(b, side_b, a);
   return !are_skew(a, b) && meet_in_plane(a, b);
@@ -338,7 +340,7 @@ Intersections find_intersections(const Bvh& a, const Bvh& b) {
 
 namespace {
 
-/// Triangles side by side: of one bin, or all on one side of a plane.
+/// Triangles side by side: those of one bin, or all on one side of a plane.
 struct Bin {
   Box box;
   double count = 0.0;
@@ -351,7 +353,7 @@ struct Bin {
 };
 
 Place cut_by_area(const Parts& parts, Place begin, Place end, int depth, int bins) {
-  if (depth >= 32) return halved(parts, begin, end, depth, bins);  // or it may grow too deep
+  if (depth >= 32) return halved(parts, begin, end, depth, bins);  // otherwise it may grow too deep
   const Box spread = spread_of_centroids(parts, begin, end);
   const auto size = static_cast<std::size_t>(bins);
   const auto bin_of = [&](std::uint32_t i, int axis) {
@@ -363,15 +365,15 @@ Place cut_by_area(const Parts& parts, Place begin, Place end, int depth, int bin
   int best_axis = 0;
   std::size_t best_bin = 0;  // the first beyond the plane
   for (int axis = 0; axis < 3; ++axis) {
-    if (!(spread.high[axis] > spread.low[axis])) continue;  // a place would be 0/0
+    if (!(spread.high[axis] > spread.low[axis])) continue;  // the place would be 0/0
     std::vector<Bin> filled(size);
     for (Place i = begin; i != end; ++i) filled[bin_of(*i, axis)].add({parts[*i].box, 1.0});
-    std::vector<Bin> right = filled;  // to be all from a bin on
+    std::vector<Bin> right = filled;  // will hold all triangles from a bin on
     for (std::size_t i = size - 1; i > 0; --i) right[i - 1].add(right[i]);
     Bin left;
     for (std::size_t i = 1; i < size; ++i) {
       left.add(filled[i - 1]);
-      // The first and the last bin are never empty: so no side of a plane is.
+      // The first and the last bin are never empty, so neither side of a plane is empty.
       const double both = left.cost() + right[i].cost();  // eq. (8)
       if (both >= least) continue;
       least = both;
@@ -395,21 +397,21 @@ Bvh build_sah(const TriangleMesh& mesh, int leaf_size, int bins) {
 
 namespace {
 
-/// The box around the moved box.                                                          eq. (9)
+/// Returns the box around the moved box.                                                  eq. (9)
 Box moved(const Box& box, const RigidTransform& motion) {
   Vec3 c;
   for (int j = 0; j < 3; ++j) c[j] = 0.5 * (box.low[j] + box.high[j]);
   const Vec3 center = common::transformed(motion, c);
   Box around;
   for (int i = 0; i < 3; ++i) {
-    double half = 1e-300;  // what underflows
+    double half = 1e-300;  // more than underflow may lose
     double size = std::abs(motion.translation[i]);
     for (int j = 0; j < 3; ++j) {
       const double h = 0.5 * (box.high[j] - box.low[j]);
       half += std::abs(motion.rotation(i, j)) * h;
       size += std::abs(motion.rotation(i, j)) * (std::abs(c[j]) + h);
     }
-    half += 1e-14 * size;  // more than all roundings, which are no more than 20 · 2⁻⁵³ of it
+    half += 1e-14 * size;  // more than all rounding errors, which are at most 20 · 2⁻⁵³ of it
     around.low[i] = center[i] - half;
     around.high[i] = center[i] + half;
   }
@@ -431,7 +433,7 @@ Bvh refit(Bvh bvh, const TriangleMesh& deformed) {
   for (std::size_t i = 0; i < bvh.triangles.size(); ++i) {
     bvh.corners[i] = triangle(deformed, bvh.triangles[i]);
   }
-  // Children stand behind their parent: from the back, they are done when it is its turn.
+  // Children come after their parent. From the back, they are done before their parent.
   for (std::size_t i = bvh.nodes.size(); i-- > 0;) {
     BvhNode& node = bvh.nodes[i];
     if (is_leaf(node)) {

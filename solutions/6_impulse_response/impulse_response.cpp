@@ -46,7 +46,7 @@ void require_valid(const RigidBody& body, const char* name) {
   }
 }
 
-/// −min(μ pressed, |slip|) slip/|slip|, slip being the tangential part of `motion`: (2) and (4).
+/// Returns −min(μ pressed, |slip|) slip/|slip|, (2) or (4): slip is the tangential part of motion.
 Vec3 against_slip(const Vec3& motion, const Vec3& n, double pressed, double mu) {
   const Vec3 slip = motion - n.dot(motion) * n;
   const double length = slip.norm();
@@ -60,7 +60,7 @@ double impulse_along_normal(double mass, const Vec3& velocity, const Vec3& n, do
   return -(1.0 + e) * mass * v_n;
 }
 
-/// Both impulses of a particle that is found at an obstacle.
+/// Returns the sum of both impulses on a particle that is at an obstacle.
 Vec3 particle_impulse(const Particle& particle, const Vec3& n, const Material& material) {
   const Vec3& v = particle.velocity;
   const double j_n = impulse_along_normal(particle.mass, v, n, material.restitution);
@@ -68,7 +68,7 @@ Vec3 particle_impulse(const Particle& particle, const Vec3& n, const Material& m
   return j_n * n + j_t;
 }
 
-/// As step_by_projection, of what is known to be valid.
+/// Does step_by_projection for arguments that are known to be valid.
 ProjectedStep projected(Particle particle, const Obstacle& obstacle, const Material& material,
                         const Vec3& gravity, double dt, const Corrections& corrections) {
   particle.velocity += dt * gravity;
@@ -91,7 +91,7 @@ Mat3 skew(const Vec3& w) {
   return matrix;
 }
 
-/// What an impulse at a point changes of the point's velocity.
+/// Returns the matrix that maps an impulse at a point to the change of the point's velocity.
 Mat3 inverse_mass_at(const RigidBody& body, const Vec3& point) {
   const Mat3 r_cross = skew(point - body.position);
   return body.inverse_mass * Mat3::Identity() - r_cross * body.inverse_inertia * r_cross;

@@ -8,9 +8,10 @@
 
 namespace common {
 
-/// A polynomial over an interval by its Bernstein coefficients, from the interval's start to its
-/// end. The first and the last are its values there; where all have one sign, so has the
-/// polynomial; and it has no more roots than they change sign, nor fewer by an odd number.
+/// A polynomial over an interval, by its Bernstein coefficients from the interval's start to its
+/// end. The first and the last coefficient are the polynomial's values there. If all coefficients
+/// have one sign, so has the polynomial. It has at most as many roots as its coefficients change
+/// sign, and any lower number of roots differs from that by an even number.
 template <typename Number, std::size_t degree>
 using Bernstein = std::array<Number, degree + 1>;
 
@@ -24,7 +25,7 @@ struct Halves {
   Polynomial second;
 };
 
-/// De Casteljau's means of neighbours; none grows, so their rounding does not.
+/// Halves by De Casteljau's means of neighbours. No mean grows, so its rounding does not grow.
 template <typename Number, std::size_t size>
 Halves<std::array<Number, size>> halves(std::array<Number, size> coefficients) {
   Halves<std::array<Number, size>> parts;
@@ -38,7 +39,7 @@ Halves<std::array<Number, size>> halves(std::array<Number, size> coefficients) {
   return parts;
 }
 
-/// All values of a polynomial over its interval are in this range: that of its coefficients.
+/// A range that holds all values of a polynomial over its interval: the range of its coefficients.
 struct Range {
   double lowest, highest;
 };
@@ -52,7 +53,7 @@ Range range(const std::array<DoubleDouble, size>& coefficients) {
   return all;
 }
 
-/// The polynomial at a share s of its interval, in [0, 1].
+/// Returns the value of the polynomial at the share s of its interval, in [0, 1].
 template <std::size_t size>
 double value_at(std::array<double, size> coefficients, double s) {
   for (std::size_t left = size - 1; left > 0; --left) {

@@ -4,12 +4,12 @@
 
 namespace common {
 
-/// An angular velocity that turns about a fixed axis at a constant rate while it keeps its length:
-/// the classic test of attitude integration, since its attitude has a closed form.
+/// An angular velocity that turns about a fixed axis at a constant rate and keeps its length. It is
+/// the classic test of attitude integration, because its attitude has a closed form.
 ///
 ///   ω(t) = exp([a]ₓ Ω t) ω(0)
 ///
-/// World frame.
+/// All are in the world frame.
 struct ConingMotion {
   Vec3 axis = Vec3::UnitZ();                ///< a, unit
   double rate = 1.0;                        ///< Ω [rad/s]
@@ -17,10 +17,10 @@ struct ConingMotion {
   Quat world_from_body = Quat::Identity();  ///< q(0), unit
 };
 
-/// ω(t), world [rad/s].
+/// Returns ω(t), world [rad/s].
 Vec3 angular_velocity(const ConingMotion& motion, double time);
 
-/// q(t), unit. Seen from axes that turn with ω, the body turns at the constant ω(0) − Ω a, so
+/// Returns q(t), unit. In axes that turn with ω, the body turns at the constant ω(0) − Ω a, so
 ///
 ///   q(t) = exp(a Ω t) exp((ω(0) − Ω a) t) q(0)
 Quat attitude(const ConingMotion& motion, double time);

@@ -1,6 +1,7 @@
-// Members of Eigen::Matrix: Eigen includes this in the class, see EIGEN_MATRIX_PLUGIN. They do what
-// eager_operators.hpp does for operators: small matrices compute at once what Eigen's own members
-// leave to an expression of a type of its own. All other matrices keep Eigen's.
+// These are members of Eigen::Matrix: Eigen includes this file in the class, see
+// EIGEN_MATRIX_PLUGIN. They do for members what eager_operators.hpp does for operators: a small
+// matrix computes the result at once, while Eigen's own members return an expression of a type of
+// its own. All other matrices keep Eigen's members.
 
 using Base::allFinite;
 using Base::cross;
@@ -23,7 +24,7 @@ using Base::operator-=;
 
 static constexpr bool is_small = std::is_floating_point_v<Scalar> && RowsAtCompileTime > 0 &&
                                  ColsAtCompileTime > 0 && SizeAtCompileTime <= 16;
-// A name of its own, since GCC 14 crashes on the comparison in a requires-clause.
+// This has its own name because GCC 14 crashes on the comparison in a requires-clause.
 static constexpr bool is_vector_of_three = is_small && SizeAtCompileTime == 3;
 
 Scalar dot(const Matrix& b) const requires is_small {

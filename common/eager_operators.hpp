@@ -3,21 +3,21 @@
 #include <Eigen/Core>
 #include <concepts>
 
-/// Sums and products of small vectors and matrices, computed at once.
+/// These operators compute sums and products of small vectors and matrices at once.
 ///
-/// Eigen's own operators return an expression, which is computed when it is assigned. That is what
-/// large matrices want. For three numbers it costs twice: each expression is a type of its own,
-/// which takes milliseconds to compile at every save, and `auto sum = a + f(b)` keeps a reference
-/// to what f returned, which no longer exists in the next line. These overloads fit matrices of a
-/// fixed size better than Eigen's do, so they are taken for them, and return the value itself.
-/// Each entry is rounded as Eigen rounds it; products add their terms from the first to the last.
+/// Eigen's own operators return an expression, which is computed when it is assigned. Large
+/// matrices need that. For three numbers it has two costs. Each expression is a type of its own,
+/// which takes milliseconds to compile at every save. And `auto sum = a + f(b)` keeps a reference
+/// to the result of f, which no longer exists in the next line. The overloads here fit matrices of
+/// a fixed size better than Eigen's do, so the compiler chooses them. They return the value itself.
+/// They round each entry as Eigen does; products add their terms from the first to the last.
 namespace Eigen {
 
 template <typename T, int R, int C>
 concept SmallMatrix = std::floating_point<T> && R >
 0 && C > 0 && R* C <= 16;
 
-/// A whole number, or a number of the entries' own type: no digit is lost unseen.
+/// A whole number, or a number of the entries' own type, so that no digit is lost unseen.
 template <typename S, typename T>
 concept ScalarOf = std::same_as<S, T> || std::integral<S>;
 
@@ -90,21 +90,21 @@ requires SmallMatrix<T, N, N> Matrix<T, N, N> transposed(const Matrix<T, N, N>& 
   return result;
 }
 
-/// Rᵀ v and Rᵀ A.
+/// Return Rᵀ v and Rᵀ A.
 template <typename T, int N, int C>
 requires(SmallMatrix<T, N, N>&& SmallMatrix<T, N, C>&& N > 1) Matrix<T, N, C>
 operator*(const Transpose<const Matrix<T, N, N>>& a, const Matrix<T, N, C>& b) {
   return transposed(a.nestedExpression()) * b;
 }
 
-/// A Rᵀ.
+/// Returns A Rᵀ.
 template <typename T, int N>
 requires(SmallMatrix<T, N, N>&& N > 1) Matrix<T, N, N>
 operator*(const Matrix<T, N, N>& a, const Transpose<const Matrix<T, N, N>>& b) {
   return a * transposed(b.nestedExpression());
 }
 
-/// R diag(d).
+/// Returns R diag(d).
 template <typename T, int R, int C>
 requires SmallMatrix<T, R, C> Matrix<T, R, C>
 operator*(const Matrix<T, R, C>& a, const DiagonalWrapper<const Matrix<T, C, 1>>& b) {
@@ -115,7 +115,7 @@ operator*(const Matrix<T, R, C>& a, const DiagonalWrapper<const Matrix<T, C, 1>>
   return product;
 }
 
-/// a bᵀ.
+/// Returns a bᵀ.
 template <typename T, int R, int C>
 requires SmallMatrix<T, R, C> Matrix<T, R, C>
 operator*(const Matrix<T, R, 1>& a, const Transpose<const Matrix<T, C, 1>>& b) {

@@ -6,34 +6,35 @@
 
 namespace common {
 
-/// Coefficients of 1, t, t², ...
+/// The coefficients of 1, t, t², ...
 using ExactPolynomial = std::vector<ExactNumber>;
 
 ExactPolynomial operator*(const ExactPolynomial& a, const ExactPolynomial& b);
 ExactPolynomial operator+(const ExactPolynomial& a, const ExactPolynomial& b);
 ExactPolynomial operator-(const ExactPolynomial& a, const ExactPolynomial& b);
 
-/// Counts real roots without any rounding, also those that rounding cannot tell from none: double
-/// ones, where f touches zero, and pairs closer than a double resolves. By Sturm's theorem and its
-/// extension by Tarski; Basu, Pollack, Roy 2006, Algorithms in Real Algebraic Geometry, 2.2.2. Tens
-/// to hundreds of microseconds for a quartic.
+/// Counts real roots without any rounding. It also finds the roots that rounding cannot tell from
+/// none: double ones, at which f touches zero, and pairs closer than a double resolves. It uses
+/// Sturm's theorem and its extension by Tarski; Basu, Pollack, Roy 2006, Algorithms in Real
+/// Algebraic Geometry, 2.2.2. A quartic takes tens to hundreds of microseconds.
 class ExactRoots {
  public:
-  /// The roots of f at which g > 0. At most one root of f may be one of g, too.
+  /// Selects the roots of f at which g > 0. At most one root of f may also be a root of g.
   ExactRoots(const ExactPolynomial& f, const ExactPolynomial& g);
 
-  /// How many there are in (from, to], a multiple one once; 0 where f is zero throughout.
+  /// Returns the number of these roots in (from, to]; a multiple one counts once. It is 0 if f is
+  /// zero everywhere.
   [[nodiscard]] int count(double from, double to) const;
 
-  /// The first of those in (from, to], of which there is one at least, from above: by less than
-  /// `width`, or to the next double where that is wider.
+  /// Returns the first of these roots in (from, to], which must have one. The result is above the
+  /// root by less than `width`, or it is the next double if that is further.
   [[nodiscard]] double first(double from, double to, double width) const;
 
  private:
   using Chain = std::vector<ExactPolynomial>;
 
-  Chain roots_;  ///< whose changes of sign count the roots
-  Chain signs_;  ///< and the sum of the signs of g at them; empty where all count
+  Chain roots_;  ///< their changes of sign count the roots
+  Chain signs_;  ///< they give the sum of the signs of g at the roots; empty if all count
 };
 
 }  // namespace common

@@ -7,11 +7,13 @@
 
 namespace common {
 
-/// A sum of doubles and of products of doubles without any rounding, read off correctly to an ulp:
-/// where a difference decides, as on which side of the separatrix a state lies, rounding must not.
-/// Shewchuk 1997, Discrete & Computational Geometry 18, "Grow-Expansion". Exact as long as no
-/// product of two parts falls below 1e-290: the parts do not overlap, so a double's range holds
-/// them.
+/// A sum of doubles and of products of doubles without any rounding. Its value is read correctly to
+/// an ulp. Use it if a difference decides, for example on which side of the separatrix a state
+/// lies, and rounding must not. Shewchuk 1997, Discrete & Computational Geometry 18,
+/// "Grow-Expansion".
+///
+/// It is exact as long as no product of two parts falls below 1e-290. The array has room for all
+/// parts, because they do not overlap and so share the range of a double.
 class ExactSum {
  public:
   void add(double term) {

@@ -6,19 +6,19 @@
 
 namespace common {
 
-/// c₀ + c₁ t + c₂ t².
+/// The polynomial c₀ + c₁ t + c₂ t².
 struct Quadratic {
   DoubleDouble c0, c1, c2;
 };
 
-/// c₀ + c₁ t + … + c₄ t⁴.
+/// The polynomial c₀ + c₁ t + … + c₄ t⁴.
 struct Quartic {
   DoubleDouble c0, c1, c2, c3, c4;
 };
 
-/// The first t in [0, dt] from which on the polynomial is zero or below and falls; none where there
-/// is none. No root is lost: the quartic is cut at its turning points, and every sign is that of a
-/// value with some 30 digits of its largest term.
+/// Returns the first t in [0, dt] from which on the polynomial is zero or below and falls, or none.
+/// No root is lost, because the quartic is cut at its turning points, and every sign is taken from
+/// a value with about 30 digits of its largest term.
 std::optional<double> first_entry(const Quadratic& g, double dt);
 std::optional<double> first_entry(const Quartic& g, double dt);
 

@@ -8,7 +8,8 @@
 namespace common {
 
 /// A symmetric top under gravity that turns about a fixed point of its axis. The body's z axis is
-/// the top's, from the fixed point to the centre of mass; gravity points along the world's −z.
+/// the axis of the top, from the fixed point to the centre of mass. Gravity points along the
+/// world's −z.
 struct HeavyTop {
   double transverse_moment = 1.0;  ///< I₁, about the fixed point [kg m²]
   double axial_moment = 1.0;       ///< I₃, about the axis [kg m²]
@@ -17,29 +18,29 @@ struct HeavyTop {
 
 /// The Lagrange top in closed form: the exact answer for methods with a torque.
 ///
-/// u = cos θ swings as u₁ cn² x + u₂ sn² x with x = x₀ + p t, and the two angles about the vertical
-/// and about the axis are elliptic integrals of the third kind (Whittaker 1937, §71). Good to some
-/// 1e-14 rad over the first turns, and to some ulp of all the turning later; an axis that comes
-/// near to upright loses 1e-15 rad over its smallest tilt, since rounding turns it by that much.
+/// u = cos θ swings as u₁ cn² x + u₂ sn² x with x = x₀ + p t. The two angles, about the vertical
+/// and about the axis, are elliptic integrals of the third kind (Whittaker 1937, §71). The error is
+/// about 1e-14 rad over the first turns, and later some ulp of the whole turn. If the axis comes
+/// near the vertical, rounding turns it, and the error is 1e-15 rad over the smallest tilt.
 class LagrangeTop {
  public:
-  /// The tilt from the vertical below which the closed form is refused [rad]: on the vertical the
-  /// two angles are no longer two.
+  /// The tilt from the vertical below which the closed form is refused [rad]. On the vertical the
+  /// two angles are one.
   static constexpr double smallest_tilt = 1e-4;
 
   /// start  the motion at time 0; q is normalised first
-  /// Throws std::invalid_argument for moments no body has, for a weight_moment that is negative or
-  /// not finite, for a start that is not finite or has q = 0, and for a motion under weight whose
-  /// axis comes closer than smallest_tilt to the vertical, upward or downward, at any time.
+  /// Throws std::invalid_argument if no body can have the moments, if weight_moment is negative or
+  /// not finite, or if start is not finite or has q = 0. It also throws if the top has a weight and
+  /// its axis comes closer than smallest_tilt to the vertical, upward or downward, at any time.
   LagrangeTop(const HeavyTop& top, const Spin& start);
 
-  /// The motion at a time of either sign [s].
+  /// Returns the motion at a time of either sign [s].
   [[nodiscard]] Spin at(double time) const;
 
  private:
   HeavyTop top_;
   Spin start_;
-  // Distances of u from +1 and −1 where it turns, each accurate by itself.
+  // Distances of u from +1 and −1 at its turning points, each accurate by itself.
   double from_up_1_ = 0.0;    // 1 − u₁
   double from_up_2_ = 0.0;    // 1 − u₂
   double from_down_1_ = 0.0;  // 1 + u₁
@@ -55,9 +56,9 @@ class LagrangeTop {
   [[nodiscard]] double angle(double x, double half, double at_1, double at_2) const;
 };
 
-/// The exact motion of a symmetric body without weight over dt: it turns about its constant angular
-/// momentum L by |L| / I₁ dt, and within that about its own axis by ω₃ (1 − I₃ / I₁) dt. The drift
-/// of a splitting method whose kick is the torque. Any tilt, any dt.
+/// Returns the exact motion of a symmetric body without weight over dt. It turns about its constant
+/// angular momentum L by |L| / I₁ dt, and within that about its own axis by ω₃ (1 − I₃ / I₁) dt. It
+/// is the drift of a splitting method whose kick is the torque. Any tilt and any dt are allowed.
 inline Spin free_symmetric_step(const HeavyTop& top, const Spin& spin, double dt) {
   const Vec3& w = spin.angular_velocity_body;
   const double ratio = top.axial_moment / top.transverse_moment;

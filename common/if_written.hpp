@@ -14,8 +14,8 @@ inline void note_once(std::vector<std::string>& notes, const std::string& note) 
   if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
 }
 
-/// What `make` returns; nothing, and once in `missing` the step or the exception's words, where it
-/// needs a step that is not written yet or that throws.
+/// Returns the result of `make`. If `make` needs a step that is not written yet, or if it throws,
+/// returns nothing and adds the step, or the exception's words, to `missing` once.
 template <typename Make>
 auto if_written(std::vector<std::string>& missing, const Make& make)
     -> std::optional<decltype(make())> {

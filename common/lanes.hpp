@@ -8,8 +8,9 @@
 #include <immintrin.h>
 #endif
 
-/// Numbers side by side, as wide as the processor's registers that this is compiled for. The
-/// operators are the compiler's: a comparison gives all ones or zeros a lane, `mask ? x : y` picks.
+/// Numbers side by side, as many as fit into a register of the processor that this is compiled for.
+/// The operators are the compiler's. A comparison gives all ones or all zeros for each lane, and
+/// `mask ? x : y` picks.
 namespace common {
 
 #if defined(__AVX__)
@@ -25,7 +26,7 @@ using FloatMask [[gnu::vector_size(register_bytes)]] = std::int32_t;
 inline constexpr std::size_t double_lanes = register_bytes / sizeof(double);
 inline constexpr std::size_t float_lanes = register_bytes / sizeof(float);
 
-/// From memory of any alignment.
+/// Loads from memory of any alignment.
 template <typename Lanes, typename Number>
 Lanes loaded(const Number* from) {
   Lanes lanes;
@@ -51,7 +52,7 @@ Lanes size_of(const Lanes& a) {
   return greatest(a, -a);
 }
 
-/// A bit a lane, the first lane's the lowest.
+/// Returns one bit for each lane, the first lane's bit lowest.
 inline std::uint32_t bits(const DoubleMask& mask) {
 #if defined(__AVX__)
   return static_cast<std::uint32_t>(_mm256_movemask_pd(reinterpret_cast<__m256d>(mask)));

@@ -9,7 +9,7 @@ struct Cylinder {
   double radius = 1.0;  ///< R, above zero [m]
 };
 
-/// Where a particle, which is a small ball, meets the cylinder. World frame.
+/// The contact of a particle, which is a small ball, with the cylinder, in the world frame.
 struct ParticleContact {
   Vec3 point_on_cylinder = Vec3::Zero();  ///< nearest to the particle [m]
   Vec3 point_on_particle = Vec3::Zero();  ///< nearest to the axis [m]

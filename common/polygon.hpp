@@ -8,11 +8,13 @@
 
 namespace common {
 
-/// A polygon of three corners or more cut into triangles, two less than corners, turned as it is.
+/// Cuts a polygon of three or more corners into triangles, two fewer than corners, oriented as it
+/// is.
 ///
-/// Ears are cut off: corners that turn as the polygon does, and that hold no other corner. They are
-/// judged along the axis on which the polygon looks largest, exactly. Where no corner is an ear, as
-/// in a polygon that crosses itself or is flat to a line, the next one is cut off all the same.
+/// It cuts off ears, that is, corners that turn as the polygon does and that hold no other corner.
+/// It judges them exactly, along the axis on which the polygon looks largest. If no corner is an
+/// ear, as in a polygon that crosses itself or is flat to a line, it cuts off the next corner all
+/// the same.
 ///
 /// vertices  of the mesh [m]
 /// corners   indices in vertices, in order round the polygon

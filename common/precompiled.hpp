@@ -1,8 +1,8 @@
 #pragma once
 
-// What a save must not parse again. Headers alone: GCC does not keep in a precompiled header what
-// templates become for given types, so an example of use in here would be compiled at every save.
-// No file includes it; see common/cmake/AddLab.cmake.
+// The headers that a save must not parse again. There are only headers here: GCC does not keep in a
+// precompiled header what templates become for given types, so an example of use would be compiled
+// at every save. No file includes this one; see common/cmake/AddLab.cmake.
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>

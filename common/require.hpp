@@ -5,12 +5,12 @@
 
 #include "common/types.hpp"
 
-/// Checks of what a caller hands over. Each throws std::invalid_argument, whose text names the
-/// argument and what is wrong with it, and lets NaN pass nowhere.
+/// Checks of arguments. Each throws std::invalid_argument with a text that names the argument and
+/// what is wrong with it. No check accepts NaN.
 namespace common {
 
-/// Throws; the text has the number so that it reads back. Apart from the checks, which cost next to
-/// nothing where all is well.
+/// Throws. The text contains the number with all its digits. It is apart from the checks, so that
+/// they cost next to nothing if all is well.
 [[noreturn]] void refuse(const char* name, const char* wanted, double got);
 [[noreturn]] void refuse_entry(const char* name);
 
@@ -32,7 +32,7 @@ inline void require_not_negative(double value, const char* name) {
   if (!(value >= 0.0 && std::isfinite(value))) refuse(name, "a finite number from zero up", value);
 }
 
-/// Of length one to 1e-9.
+/// Requires length one, to 1e-9.
 void require_unit(const Vec3& value, const char* name);
 
 }  // namespace common

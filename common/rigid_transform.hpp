@@ -5,15 +5,15 @@
 
 namespace common {
 
-/// Leads the points of one frame to another, which its name tells: a_from_b.
+/// Maps the points of one frame to another; its name says which: a_from_b.
 struct RigidTransform {
   Mat3 rotation = Mat3::Identity();  ///< R
   Vec3 translation = Vec3::Zero();   ///< t [m]
 };
 
-/// ((R₀ x + R₁ y) + R₂ z) + t by component, R₀ … the columns of R, rounded after every operation
-/// and nowhere else: the same bits on every machine. No fused operation rounds less, see
-/// common/cmake/ProjectFlags.cmake.
+/// Returns ((R₀ x + R₁ y) + R₂ z) + t by component, with the columns R₀ … of R. It rounds after
+/// every operation and nowhere else, so the bits are the same on every machine. No fused operation
+/// rounds less, see common/cmake/ProjectFlags.cmake.
 inline Vec3 transformed(const RigidTransform& transform, const Vec3& point) {
   const Mat3& R = transform.rotation;
   Vec3 q;
@@ -28,8 +28,8 @@ inline Triangle transformed(const RigidTransform& transform, const Triangle& tri
           transformed(transform, triangle[2])};
 }
 
-/// Throws std::invalid_argument where an entry is NaN or infinite; `name` is what the caller calls
-/// the transform.
+/// Throws std::invalid_argument if an entry is NaN or infinite.
+/// name  the caller's name of the transform
 void require_finite(const RigidTransform& transform, const char* name);
 
 }  // namespace common

@@ -5,14 +5,14 @@
 
 namespace common {
 
-/// A torque-free step that looks like order 4 and is not. The body angular velocity takes the
-/// classical Runge-Kutta step of Euler's equations, I ω' = I ω × ω, but the attitude turns by the
-/// exponential of the stages' mean alone:
+/// Takes a torque-free step that looks like order 4 but is not. The body angular velocity takes the
+/// classical Runge-Kutta step of Euler's equations, I ω' = I ω × ω. But the attitude turns only by
+/// the exponential of the stages' mean:
 ///
 ///   q ← q exp((ω₁ + 2 ω₂ + 2 ω₃ + ω₄) dt / 6)
 ///
-/// Angular velocities at different times do not commute, so the attitude is of order 2 under an
-/// energy curve of order 4. MuJoCo's Runge-Kutta integrator does this for free and ball joints.
+/// Turns about different axes do not commute, so the attitude is of order 2, the energy of order 4.
+/// MuJoCo's Runge-Kutta integrator does this for free and ball joints.
 inline Spin step_rk4_one_exponential(const Vec3& moments, const Spin& spin, double dt) {
   const auto rate = [&](const Vec3& w) {
     return Vec3(moments.cwiseProduct(w).cross(w).cwiseQuotient(moments));

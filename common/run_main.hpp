@@ -5,7 +5,7 @@
 
 namespace common {
 
-/// Runs a program's body; an exception becomes one line on stderr and exit code 1.
+/// Runs a program's body. An exception becomes one line on stderr and exit code 1.
 template <typename Body>
 int run_main(const Body& body) {
   try {

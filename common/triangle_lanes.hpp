@@ -9,7 +9,7 @@
 
 namespace common {
 
-/// Pairs of triangles that wait until their corners are there and a register is full of them.
+/// Pairs of triangles that wait until their corners are loaded and until they fill a register.
 template <bool moved>
 class TriangleBatch {
  public:
@@ -25,7 +25,7 @@ class TriangleBatch {
     if (size_ == waiting_.size()) test();
   }
 
-  /// All that meet.
+  /// Returns all pairs that meet.
   std::vector<TriangleIndices> sorted_pairs();
 
  private:

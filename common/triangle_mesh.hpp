@@ -9,11 +9,11 @@
 
 namespace common {
 
-/// The corners of a triangle. It is all points between them: corners on one line make a segment,
-/// three equal ones a point.
+/// The corners of a triangle. The triangle is all points between them, so corners on one line make
+/// a segment, and three equal corners make a point.
 using Triangle = std::array<Vec3, 3>;
 
-/// Triangles that share their corners. Soups are meshes, too: nothing need be closed or joined.
+/// Triangles that share their corners. They need not be closed or joined: any set is a mesh.
 struct TriangleMesh {
   std::vector<Vec3> vertices;                           ///< [m]
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices of their corners
@@ -24,8 +24,8 @@ inline Triangle triangle(const TriangleMesh& mesh, std::size_t index) {
   return {mesh.vertices[i], mesh.vertices[j], mesh.vertices[k]};
 }
 
-/// Throws std::invalid_argument where the mesh has no triangle, a vertex is NaN or infinite, or a
-/// triangle has an index of no vertex; the text says which.
+/// Throws std::invalid_argument if the mesh has no triangle, if a vertex is NaN or infinite, or if
+/// a triangle has an index of no vertex; the text says which.
 void require_sound(const TriangleMesh& mesh);
 
 }  // namespace common

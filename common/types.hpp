@@ -5,7 +5,7 @@
 
 #include "common/eager_operators.hpp"
 
-/// What every lab shares, in finished form. SI units, radians, double precision, right-handed.
+/// The types that all labs share. SI units, radians, double precision, right-handed.
 namespace common {
 
 using Vec3 = Eigen::Vector3d;

@@ -10,32 +10,32 @@
 #include "common/triangle_mesh.hpp"
 #include "common/types.hpp"
 
-/// A hierarchy of boxes built for speed: eight children a node, boxes in floats, eight of which are
-/// tested at a time, and triangles of which a few are tested at a time.
+/// A hierarchy of boxes built for speed. A node has eight children, and their boxes, in floats, are
+/// tested at once. A few triangles are tested at once, too.
 namespace common {
 
-/// The tree of a mesh. Its boxes stand about `centre`, in units of 1/scale, rounded outward.
+/// The tree of a mesh. Its boxes are relative to `centre`, in units of 1/scale, rounded outward.
 class WideBvh {
  public:
   static constexpr std::size_t width = 8;  ///< children of a node, and triangles of a leaf
 
-  /// Builds by the surface-area heuristic. Throws std::invalid_argument as require_sound does.
+  /// Builds by the surface-area heuristic. Throws std::invalid_argument if require_sound throws.
   explicit WideBvh(const TriangleMesh& mesh);
 
-  /// Boxes side by side; those from `size` on are none.
+  /// Boxes side by side; those from `size` on are unused.
   struct alignas(64) Node {
     std::array<std::array<float, width>, 3> low{};
     std::array<std::array<float, width>, 3> high{};
     std::array<std::uint32_t, width> child{};  ///< a node, or ~ of one if it is a leaf; or an entry
     std::uint32_t size = 0;
     std::array<float, 3> all_low{}, all_high{};  ///< of the box that holds all of them
-    /// Surfaces are thin across: the mean normal of all triangles below, and how far each child's
-    /// triangles reach along it.
+    /// A surface is thin across, so these are the mean normal of all triangles below, and how far
+    /// each child's triangles reach along it.
     std::array<float, 3> normal{};
     std::array<float, width> from{}, to{};
     float all_from = 0.0F, all_to = 0.0F;
   };
-  /// A triangle, where its neighbours are.
+  /// A triangle, stored next to its neighbours.
   struct Entry {
     Triangle corners;
     std::uint32_t triangle = 0;  ///< index in the mesh
@@ -67,16 +67,16 @@ struct TriangleIndices {
 struct WideIntersections {
   std::vector<TriangleIndices> pairs;  ///< each once, sorted
   std::uint64_t box_tests = 0;         ///< pairs of boxes, not both of triangles
-  std::uint64_t triangle_tests = 0;    ///< pairs of triangles in pairs of leaves that it came to
+  std::uint64_t triangle_tests = 0;    ///< pairs of triangles in the pairs of leaves it visited
 };
 
-/// Whether two triangles have a point in common, exactly.
+/// Returns whether two triangles have a point in common, exactly.
 using TrianglesMeet = bool (*)(const Triangle& a, const Triangle& b);
 
-/// All pairs of triangles that meet: a against b, as it is or moved, as in
-/// transformed(a_from_b, triangle). Plain arithmetic decides where it is sure, and triangles_meet
-/// where it is not. Lengths are zero or within 1e-60 and 1e60 m.
-/// Throws std::invalid_argument where a_from_b is not finite.
+/// Returns all pairs of triangles that meet: a against b, as it is or moved as by
+/// transformed(a_from_b, triangle). Plain arithmetic decides if it is sure, and triangles_meet
+/// otherwise. Lengths are zero or within 1e-60 and 1e60 m.
+/// Throws std::invalid_argument if a_from_b is not finite.
 WideIntersections find_intersections(const WideBvh& a, const WideBvh& b,
                                      TrianglesMeet triangles_meet);
 WideIntersections find_intersections(const WideBvh& a, const WideBvh& b,

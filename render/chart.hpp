@@ -9,7 +9,7 @@ namespace render {
 
 enum class Status { ok, unstable, not_implemented };
 
-/// What one method does at one value of its cost parameter.
+/// The result of one method at one value of its cost parameter.
 struct ChartPoint {
   double parameter = 0.0;    ///< as steps a turn
   double error = 0.0;        ///< the largest over all checkpoints, against an exact reference
@@ -23,14 +23,14 @@ struct ChartSeries {
   std::string method;
   double order = 0.0;  ///< theory: error ~ seconds^-order; 0 draws no slope
   Colour colour = palette::ink;
-  std::vector<ChartPoint> points;  ///< in the order of the parameter; none where not written yet
+  std::vector<ChartPoint> points;  ///< in the order of the parameter; none if not written yet
   std::string missing;             ///< the step that is not written yet, or empty
   bool is_peer = false;            ///< another's code: drawn dashed and in greys, without `colour`
   bool is_other = false;           ///< another answer's: drawn dashed, in the colour of the method
   bool shows_parameters = false;   ///< each point has its parameter under it, as in 10k
 };
 
-/// Error against time, log-log: what a lab's methods cost and what they are worth.
+/// A chart of error against time, log-log: the cost of a lab's methods and what you get for it.
 struct Chart {
   std::string name = "chart";   ///< of its files, without their endings: a to z, digits, _
   std::string lab;              ///< folder name of the lab, as in the CSV's first column
@@ -40,18 +40,18 @@ struct Chart {
   std::string error_unit;       ///< as in "rad"
   std::string work_unit;        ///< as in "turn"
   std::string parameter_name;   ///< as in "steps a turn"
-  double failure_error = 0.0;   ///< at this error and above a method has failed; 0 draws none
-  std::string failure_text;     ///< why there
+  double failure_error = 0.0;   ///< a method has failed at this error and above; 0 draws none
+  std::string failure_text;     ///< why it has failed there
   double rounding_floor = 0.0;  ///< error that double precision leaves at best; 0 draws none
   std::vector<ChartSeries> series;
-  std::string note;  ///< what a reader must know of how it was measured; below the chart, in lines
+  std::string note;  ///< what a reader must know about the measurement; in lines below the chart
 };
 
-/// lab,method,parameter,error,error_unit,seconds,work_unit,evaluations,status; a method that is not
-/// written yet has one row, without numbers.
+/// Returns the rows lab,method,parameter,error,error_unit,seconds,work_unit,evaluations,status. A
+/// method that is not written yet has one row without numbers.
 std::string chart_csv(const Chart& chart);
 
-/// A gnuplot script that draws NAME.csv of its folder as NAME.svg and NAME.png.
+/// Returns a gnuplot script that draws NAME.csv of its folder as NAME.svg and NAME.png.
 std::string chart_script(const Chart& chart);
 
 }  // namespace render

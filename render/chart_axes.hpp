@@ -18,19 +18,19 @@ struct Axes {
   Range error;
 };
 
-/// Whole decades that hold every point that is drawn. An error that grew without limit does not
-/// count: it stands at the top edge.
+/// Returns whole decades that hold every point that is drawn. An error that grew without limit does
+/// not count; it is drawn at the top edge.
 Axes chart_axes(const Chart& chart);
 
-/// The error above which the words on failure stand: that of the failure, or of the worst crosses
-/// where those lie close above it.
+/// Returns the error above which the words on failure are drawn: that of the failure, or of the
+/// worst crosses if those are close above it.
 double error_below_words(const Chart& chart);
 
-/// Widened to whole decades; one decade where nothing was added.
+/// Widens a range to whole decades. Returns one decade if nothing was added.
 Range decades(const Range& range);
 
-/// Where the labels stand in the margin, in heights of the plot from its foot: beside the last
-/// points, pushed apart to `gap`.
+/// Returns the places of the labels in the margin, in heights of the plot from its foot. They are
+/// beside the last points, pushed apart to `gap`.
 std::vector<double> label_heights(const Chart& chart, const Axes& axes, double gap);
 
 }  // namespace render

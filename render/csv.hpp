@@ -4,10 +4,10 @@
 
 namespace render {
 
-/// The shortest decimal that reads back as the same double, whatever the locale.
+/// Returns the shortest decimal that reads back as the same double, in any locale.
 std::string csv_number(double value);
 
-/// A field as RFC 4180 has it: quoted where a comma or a quote stands in it.
+/// Returns a field by RFC 4180: it is quoted if it contains a comma or a quote.
 std::string csv_field(const std::string& value);
 
 }  // namespace render

@@ -9,7 +9,7 @@
 
 namespace render {
 
-/// A motion to be shown as numbered frames and as a film strip.
+/// A motion that is shown as numbered frames and as a film strip.
 struct Film {
   std::string title;                ///< of the strip, as in "Tennis-racket tumble"
   std::string subtitle;             ///< one sentence: what to see
@@ -19,13 +19,13 @@ struct Film {
   std::vector<double> strip_times;  ///< one tile each [s]
   Bounds bounds;                    ///< what every frame must show
   Vec3 towards_eye = Vec3(1.0, -2.0, 0.9);     ///< direction from the scene to the camera
-  std::function<Scene(double time)> scene_at;  ///< empty where all of it is missing
-  std::vector<std::string> missing;            ///< steps left out since they are not written yet
+  std::function<Scene(double time)> scene_at;  ///< empty if all of it is missing
+  std::vector<std::string> missing;            ///< steps left out because they are not written yet
 };
 
-/// The body of every scene program: reads the arguments, draws frames and strip, and returns the
-/// exit code. Whatever is wrong becomes one line on stderr and a non-zero code; the output folder
-/// appears whole or not at all.
+/// Runs the body of every scene program: it reads the arguments, draws frames and strip, and
+/// returns the exit code. Any error becomes one line on stderr and a non-zero code. The output
+/// folder appears whole or not at all.
 ///
 ///   --out DIR        where frame_0000.png …, strip.png and film.json go (required)
 ///   --size WxH       of a frame, 16x16 to 8192x8192; default 1280x720

@@ -7,7 +7,7 @@
 
 namespace render {
 
-/// What a page that shows the film needs to know, as a JSON object.
+/// Returns a JSON object with everything that a page needs to show the film.
 std::string film_facts(const Film& film, const FilmOptions& options, int frames);
 
 }  // namespace render

@@ -13,19 +13,20 @@ struct StripTile {
   std::string caption;
 };
 
-/// What stands above and below the tiles; each may be empty.
+/// The text above and below the tiles. Each part may be empty.
 struct StripText {
   std::string title;     ///< bold
-  std::string subtitle;  ///< beside the title where it fits, else below
+  std::string subtitle;  ///< beside the title if it fits, else below
   std::string left;      ///< foot
-  std::string right;     ///< foot, at the right where both fit in a line, else below
+  std::string right;     ///< foot, at the right if both fit in a line, else below
 };
 
-/// Tiles in reading order with text around, on white. Text too wide for the strip is broken into
-/// lines, so that nothing is cut off. Throws std::invalid_argument where there is no tile.
+/// Returns the tiles in reading order with the text around them, on white. Text that is too wide
+/// for the strip is broken into lines, so nothing is cut off. Throws std::invalid_argument if there
+/// is no tile.
 Image film_strip(const std::vector<StripTile>& tiles, const StripText& text, int columns);
 
-/// Columns in which tiles of that width fill rows as evenly as can be, none wider than `width`.
+/// Returns the columns for which tiles of that width fill rows most evenly, within `width`.
 int strip_columns(int tiles, int tile_width, int width);
 
 }  // namespace render

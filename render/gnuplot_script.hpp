@@ -7,7 +7,7 @@
 
 #include "render/colour.hpp"
 
-/// Words and layout of gnuplot scripts, the same for every kind of chart.
+/// The text and layout of gnuplot scripts, the same for every kind of chart.
 namespace render {
 
 inline constexpr double label_height = 24.8;  ///< a line of labels, in units of a Sheet
@@ -19,16 +19,16 @@ std::string formatted(const char* format, Values... values) {
   return line.data();
 }
 
-/// In gnuplot's single quotes, where only the quote itself is special.
+/// Puts a text in gnuplot's single quotes, in which only the quote itself is special.
 std::string gnuplot_text(const std::string& text);
 
-/// " lc rgb '#rrggbb'" for a line, " tc rgb '#rrggbb'" for text.
+/// Return " lc rgb '#rrggbb'" for a line, and " tc rgb '#rrggbb'" for text.
 std::string line_colour(const Colour& colour);
 std::string text_colour(const Colour& colour);
 
-/// Where the parts of a picture stand, in units of which it is 1000 wide, from its upper left.
-/// Labels stand in a right margin that is as wide as the longest of them; lines that are too long
-/// are broken, and the picture grows by them.
+/// The places of the parts of a picture, from its upper left, in units in which it is 1000 wide.
+/// Labels are in a right margin that is as wide as the longest of them. Lines that are too long are
+/// broken, and the picture grows by them.
 struct Sheet {
   std::string name;  ///< of the files, without their endings
   std::string title;
@@ -41,7 +41,7 @@ struct Sheet {
   double height = 0.0;
 };
 
-/// What a sheet is to hold.
+/// The content of a sheet.
 struct SheetContent {
   std::string name;
   std::string title;
@@ -52,21 +52,21 @@ struct SheetContent {
 };
 Sheet make_sheet(const SheetContent& content);
 
-/// Comment, style and side margins.
+/// Returns the comment, the style and the side margins.
 std::string sheet_start(const Sheet& sheet);
 
-/// Title, subtitle and notes, as labels with the tags from 901 on.
+/// Returns title, subtitle and notes, as labels with the tags from 901 on.
 std::string sheet_words(const Sheet& sheet);
 
-/// `set terminal` and `set output` for NAME.svg, NAME.png and NAME.pdf.
+/// Return `set terminal` and `set output` for NAME.svg, NAME.png and NAME.pdf.
 std::string svg_output(const Sheet& sheet);
 std::string png_output(const Sheet& sheet);
 std::string pdf_output(const Sheet& sheet);
 
-/// A height from the sheet's top as gnuplot's screen coordinate.
+/// Returns a height from the sheet's top as gnuplot's screen coordinate.
 double screen_height(const Sheet& sheet, double from_top);
 
-/// Grey tones in turn: peers are set apart from the lab's own methods.
+/// Returns grey tones in turn, to set peers apart from the lab's own methods.
 Colour peer_colour(std::size_t index);
 
 }  // namespace render

@@ -7,7 +7,7 @@
 
 namespace render {
 
-/// One method's values of one quantity over time.
+/// The values of one quantity over time, for one method.
 struct HistoryCurve {
   std::string method;
   Colour colour = palette::ink;  ///< the same as in the other charts of the lab
@@ -28,7 +28,7 @@ struct HistoryPanel {
   std::vector<HistoryCurve> curves;
 };
 
-/// Quantities over time, one panel below the other: what becomes of a motion in the long run.
+/// Quantities over time, one panel below the other. They show a motion in the long run.
 struct HistoryChart {
   std::string name = "history";  ///< of its files, without their endings: a to z, digits, _
   std::string lab;               ///< folder name of the lab, as in the CSV's first column
@@ -40,16 +40,16 @@ struct HistoryChart {
 };
 
 /// Throws std::invalid_argument that names what cannot be drawn: a curve without points, with times
-/// that do not rise or with a value that is not finite; a chart without panels.
+/// that do not rise or with a value that is not finite, or a chart without panels.
 void require_drawable(const HistoryChart& chart);
 
-/// lab,method,quantity,time,value,unit; a method that is not written yet has one row a quantity,
-/// without numbers. Throws as require_drawable does.
+/// Returns the rows lab,method,quantity,time,value,unit. A method that is not written yet has one
+/// row for each quantity, without numbers. Throws if require_drawable throws.
 std::string history_csv(const HistoryChart& chart);
 
-/// A gnuplot script that draws NAME.csv of its folder as NAME.svg and NAME.png, thinned to what the
-/// eye can see. A cross stands where a curve stops before the others. Throws as
-/// require_drawable does.
+/// Returns a gnuplot script that draws NAME.csv of its folder as NAME.svg and NAME.png. Curves are
+/// thinned to what the eye can see. A cross marks the end of a curve that stops before the others.
+/// Throws if require_drawable throws.
 std::string history_script(const HistoryChart& chart);
 
 }  // namespace render

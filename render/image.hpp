@@ -13,14 +13,14 @@ struct Image {
   std::vector<std::uint8_t> rgb;  ///< 3 bytes a pixel, left to right, top row first
 };
 
-/// A picture of one colour. Throws std::invalid_argument unless both sides are in [1, 16384].
+/// Returns a picture of one colour. Throws std::invalid_argument if a side is not in [1, 16384].
 Image filled_image(int width, int height, std::uint8_t red, std::uint8_t green, std::uint8_t blue);
 
-/// Copies `source` into `target` with its top left corner at (x, y); what lies outside is cut off.
+/// Copies `source` into `target` with its top left corner at (x, y), and cuts off what is outside.
 void paste(Image& target, const Image& source, int x, int y);
 
-/// Writes an RGB PNG whole or not at all: under a temporary name beside `path`, then renamed.
-/// Throws std::runtime_error that names the path.
+/// Writes an RGB PNG whole or not at all: it writes under a temporary name beside `path`, then
+/// renames. Throws std::runtime_error that names the path.
 void write_png(const Image& image, const std::filesystem::path& path);
 
 }  // namespace render

@@ -5,7 +5,7 @@
 
 namespace render {
 
-/// A line on stderr, as in "frame 3 of 101": a terminal rewrites it, a log gets one at each tenth
+/// A line on stderr, as in "frame 3 of 101". A terminal rewrites it. A log gets one at each tenth
 /// and whenever five seconds have passed.
 class Progress {
  public:

@@ -7,31 +7,31 @@
 #include "common/types.hpp"
 #include "render/colour.hpp"
 
-/// Off-screen pictures: plain descriptions in, pixels out. Knows no physics.
+/// Off-screen pictures: plain descriptions go in, pixels come out. This code knows no physics.
 namespace render {
 
 using common::Mat3;
 using common::Vec3;
 
-/// How a solid looks. A solid with an accent shows which way it is turned: a box paints its +x and
-/// −x faces so, a sphere its upper half, a cylinder and a capsule their +z end.
+/// The look of a solid. A solid with an accent shows which way it is turned: a box has it on its +x
+/// and −x faces, a sphere on its upper half, a cylinder and a capsule on their +z end.
 struct Paint {
   Colour colour = palette::orange;
   Colour accent = colour;
-  float paleness = 0.0F;  ///< 0 as painted … 1 white: ghosts of earlier poses
+  float paleness = 0.0F;  ///< from 0, as painted, to 1, white: ghosts of earlier poses
 };
 
-/// Where a solid stands. The matrix need not be a rotation: a method that swells shows it.
+/// The place of a solid. The matrix need not be a rotation, so a method that swells shows it.
 struct Placement {
   Vec3 position = Vec3::Zero();  ///< world [m]
   Mat3 world_from_body = Mat3::Identity();
 };
 
-/// The attitude that lays a body's z axis, which is a cylinder's, along the world's x.
+/// The attitude that turns a body's z axis, which is a cylinder's axis, to the world's x.
 inline const Mat3 z_along_x{{0.0, 0.0, 1.0}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}};
 
-/// A rotation that takes +z to the direction, by the shortest way; by a half turn about x where
-/// that is −z. The direction may have any length but zero.
+/// Returns a rotation that takes +z to the direction by the shortest way; if that is −z, by a half
+/// turn about x. The direction may have any length except zero.
 Mat3 z_axis_towards(const Vec3& direction);
 
 struct Box {
@@ -46,7 +46,7 @@ struct Sphere {
   Paint paint;
 };
 
-/// About the body's z axis; flat ends.
+/// A cylinder about the body's z axis, with flat ends.
 struct Cylinder {
   Placement placement;
   double radius = 0.5;       ///< [m]
@@ -54,7 +54,7 @@ struct Cylinder {
   Paint paint;
 };
 
-/// About the body's z axis; `half_length` is from the centre to the centre of an end's half sphere.
+/// A capsule about the body's z axis. `half_length` ends at the centre of an end's half sphere.
 struct Capsule {
   Placement placement;
   double radius = 0.25;      ///< [m]
@@ -68,7 +68,7 @@ struct Mesh {
   std::vector<std::array<int, 3>> triangles;  ///< counter-clockwise from outside
   bool smooth = false;                        ///< normals averaged at vertices, or one a triangle
   Paint paint;
-  std::vector<bool> lit;  ///< per triangle: accent instead of colour; may be empty
+  std::vector<bool> lit;  ///< for each triangle: accent instead of colour; may be empty
 };
 
 /// A sheet of rows x columns particles, drawn from both sides: colour in front, accent behind.
@@ -79,7 +79,7 @@ struct Cloth {
   Paint paint;
 };
 
-/// Unlit, casts no shadow.
+/// An arrow. It is not lit and casts no shadow.
 struct Arrow {
   Vec3 tail = Vec3::Zero();  ///< world [m]
   Vec3 tip = Vec3::UnitZ();  ///< world [m]
@@ -94,7 +94,7 @@ struct Trail {
   double width = 2.0;  ///< in pixels of a picture 720 high
 };
 
-/// A touching point with its normal; drawn in front of what would hide it.
+/// A contact point with its normal. It is drawn in front of what would hide it.
 struct ContactMark {
   Vec3 point = Vec3::Zero();    ///< world [m]
   Vec3 normal = Vec3::UnitZ();  ///< unit, world
@@ -102,7 +102,7 @@ struct ContactMark {
   Colour colour = palette::vermilion;
 };
 
-/// Text beside a point of the world, always in front.
+/// A text beside a point of the world. It is always in front.
 struct Label {
   Vec3 point = Vec3::Zero();  ///< world [m]
   std::string text;           ///< UTF-8, one line
@@ -110,7 +110,7 @@ struct Label {
   double size = 18.0;  ///< in pixels of a picture 720 high
 };
 
-/// All that one picture shows.
+/// Everything that one picture shows.
 struct Scene {
   std::vector<Box> boxes;
   std::vector<Sphere> spheres;

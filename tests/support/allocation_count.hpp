@@ -5,8 +5,8 @@
 
 namespace tests {
 
-/// How often memory was allocated, where allocations.hpp counts; a grader puts there what it was
-/// told of an answer that runs elsewhere.
+/// The number of allocations of memory, if allocations.hpp counts them. A grader stores here the
+/// number that it was told about an answer that runs elsewhere.
 inline std::atomic<std::size_t> allocations{0};
 
 }  // namespace tests

@@ -6,10 +6,10 @@
 
 #include "allocation_count.hpp"
 
-/// Counts the allocations of a whole program, an answer that is linked into it included. It
-/// replaces the operators, so one file of a program includes it.
+/// Counts the allocations of a whole program, including an answer that is linked into it. It
+/// replaces the operators, so only one file of a program may include it.
 
-// Those of the array forms call these. Seen inlined, GCC would take free for the wrong end of new.
+// The array forms call these. If GCC inlined them, it would report free as the wrong end of new.
 void* operator new(std::size_t size) {
   ++tests::allocations;
   if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;  // NOLINT

@@ -16,44 +16,44 @@ struct Case {
   std::string name;
 };
 
-/// Catch2's main.
+/// Runs Catch2's main.
 int run_catch(std::vector<std::string> arguments);
 
-/// A record on stdout, see run_each.cpp.
+/// Writes a record to stdout, see run_each.cpp.
 void report(std::size_t line, const std::string& end, double seconds, const std::string& output);
 
-/// A process that runs one case, or several one after the other. In the latter a case that passes
-/// is reported by the process itself, and the first that does not ends it.
+/// A process that runs one case, or several one after the other. If there are several, the process
+/// itself reports a case that passes, and the first case that does not pass ends it.
 class CaseChild {
  public:
-  /// arguments  of Catch2, the program's name first
+  /// arguments  of Catch2, beginning with the program's name
   CaseChild(std::vector<Case> cases, const std::vector<std::string>& arguments);
 
   struct End {
     std::string words;  ///< END VALUE of a record
-    double seconds;     ///< that the last case computed
+    double seconds;     ///< the computing time of the last case
     std::string output;
     bool passed;
   };
-  /// How the process ended; nothing while it runs.
+  /// Returns how the process ended, or nothing while it runs.
   std::optional<End> ended();
 
   [[nodiscard]] bool is_alone() const { return cases_.size() == 1; }
-  /// The case that runs, or ran last.
+  /// Returns the case that runs, or that ran last.
   [[nodiscard]] const Case& current() const;
   [[nodiscard]] bool has_reported(std::size_t line) const;
 
-  /// By the current case [s].
+  /// Returns the time that the current case has computed [s].
   [[nodiscard]] double seconds_computed() const;
-  /// Whether it has slept for so long that it must wait for something that never comes.
+  /// Returns whether it has slept so long that it must wait for something that never comes.
   bool has_slept();
-  /// It tells what it was about, and ends. `words` are told of it then.
+  /// Makes the process say what it was doing, and end. Its record then contains `words`.
   void tell_to_end(const std::string& words);
   [[nodiscard]] bool was_told_to_end() const { return !must_end_.empty(); }
   void kill_if_it_stays() const;
 
  private:
-  struct Shared;  ///< with the child
+  struct Shared;  ///< shared with the child
   class Relay;
   [[noreturn]] void run(std::vector<std::string> arguments);
 
@@ -63,7 +63,7 @@ class CaseChild {
   pid_t pid_;
   double asleep_since_ = 0.0;  ///< 0 while it runs
   std::string must_end_;
-  double told_ = 0.0;  ///< when
+  double told_ = 0.0;  ///< the time at which it was told to end
 };
 
 }  // namespace tests

@@ -5,7 +5,7 @@
 
 namespace tests {
 
-/// Who is told by Catch2 that a case begins and ends.
+/// A listener that Catch2 calls when a case begins and ends.
 class CaseEvents {
  public:
   CaseEvents() = default;
@@ -14,10 +14,10 @@ class CaseEvents {
   virtual ~CaseEvents() = default;
 
   virtual void starts(const std::string& name) = 0;
-  /// assertions  how many there were; 0 where one failed, since then the number is of no interest
+  /// assertions  their number; 0 if one failed, because then the number does not matter
   virtual void ends(std::size_t assertions) = 0;
 
-  /// From now on these events go there; nullptr: nowhere, as at first.
+  /// Sends the events to this listener from now on; nullptr, as at first, sends them nowhere.
   static void tell(CaseEvents* listener);
 };
 

@@ -9,28 +9,29 @@
 
 namespace tests {
 
-/// A misconception, by what it does to a function on every input.
+/// A misconception, given by its effect on a function for every input.
 template <typename Input, typename Value>
 struct Mistake {
   std::string story;
   std::function<bool(const Input&, const Value& got)> fits;
 };
 
-/// Equal but for rounding; zero is exact, and what is not finite is like nothing.
+/// Returns whether two values are equal except for rounding. Zero must be exact, and a value that
+/// is not finite is near to nothing.
 template <typename Value>
 bool near(const Value& got, const Value& wanted, double relative = 1e-9) {
   return is_finite(got) && difference(got, wanted) <= relative * length(wanted);
 }
 
-/// The mistake that returns `value` of each input.
+/// Returns the mistake that returns `value` of each input.
 template <typename Input, typename Value, typename Function>
 Mistake<Input, Value> returns(const std::string& story, const Function& value) {
   return {story,
           [value](const Input& in, const Value& got) { return near(got, Value(value(in))); }};
 }
 
-/// The story of the one mistake that explains what the answer returns on all of the inputs; empty
-/// where none does, or more than one. On a single input different mistakes often look alike.
+/// Returns the story of the one mistake that explains the answer on all of the inputs. It is empty
+/// if no mistake does, or more than one. On a single input different mistakes often look alike.
 template <typename Input, typename Value, typename Answer>
 std::string fingerprint(const std::vector<Input>& inputs, const Answer& answer,
                         std::vector<Mistake<Input, Value>> left) {

@@ -8,26 +8,26 @@
 #include "common/types.hpp"
 #include "random.hpp"
 
-/// Bodies and states on which the exact rotation and its step are judged.
+/// Bodies and states for the tests of the exact rotation and of its step.
 namespace tests {
 
 inline constexpr double turn = 2.0 * std::numbers::pi;
 
-/// The entries in one of the six orders.
+/// Returns the entries in one of the six orders.
 inline common::Vec3 permuted(const common::Vec3& v, int order) {
   const common::Vec3 turned(v[order % 3], v[(order + 1) % 3], v[(order + 2) % 3]);
   return order % 6 < 3 ? turned : common::Vec3(turned.y(), turned.x(), turned.z());
 }
 
-/// Of masses on the three axes whose sizes span some decades.
+/// Returns the moments of masses on the three axes whose sizes span some decades.
 inline common::Vec3 random_moments(Random& random, double decades) {
   common::Vec3 masses;
   for (double& mass : masses) mass = std::pow(10.0, random.uniform(-decades, 0.0));
   return {masses.y() + masses.z(), masses.z() + masses.x(), masses.x() + masses.y()};
 }
 
-/// An angular velocity of one turn a second with (about) the given k'² of a body of three distinct
-/// moments, around its major or its minor axis: the polhode at a random place, in any octant.
+/// Returns an angular velocity of one turn a second with (about) the given k'², for a body of three
+/// distinct moments, around its major or its minor axis, at a random place in a random octant.
 inline common::Vec3 velocity_near_separatrix(Random& random, const common::Vec3& moments,
                                              double complementary_parameter, bool circles_major) {
   std::array<int, 3> axes{0, 1, 2};
@@ -37,7 +37,7 @@ inline common::Vec3 velocity_near_separatrix(Random& random, const common::Vec3&
   const double d_c = std::abs(moments[d] - moments[c]);
   const double d_s = std::abs(moments[d] - moments[s]);
   const double s_c = std::abs(moments[s] - moments[c]);
-  // The polhode is where these two forms are 1 and s_c / (d_s k²).
+  // On the polhode these two forms are 1 and s_c / (d_s k²).
   const double P_c = s_c / (d_s * (1.0 - complementary_parameter));
   const double u = random.uniform(-4.0, 4.0);
   const double sn = std::tanh(u);

@@ -2,21 +2,21 @@
 
 #include <string>
 
-/// What a case tells on stderr, in the form of a Trial, where the answer ends it before its end.
+/// The text that a case writes to stderr, in the form of a Trial, if the answer ends it too early.
 namespace tests {
 
-/// From now on a crash, an early exit and SIGXCPU have this process tell what it asked the answer:
-/// the trial under way, or else the step and the function of the contract that runs. A crash then
-/// goes on as it would; after SIGXCPU the process ends.
+/// From now on, if this process crashes, exits early or gets SIGXCPU, it tells what it asked the
+/// answer: the trial under way, or otherwise the step and the function of the contract that runs.
+/// After that a crash goes on as it would; after SIGXCPU the process ends.
 void tell_when_ended(const std::string& step);
 
-/// The step that is told from now on, where one process runs case after case.
+/// Sets the step that is told from now on, if one process runs case after case.
 void tell_of_step(const std::string& step);
 
-/// Loads what a stack is read with, so that no process must while it crashes.
+/// Loads what reads a stack, so that no process must load it while it crashes.
 void prepare_last_words();
 
-/// Whether this program is compiled with the sanitizers, which take more memory than there is.
+/// Returns whether this program has the sanitizers, which need more memory than there is.
 bool has_sanitizers();
 
 }  // namespace tests

@@ -11,8 +11,8 @@
 
 #include "common/spin.hpp"
 
-/// The motion of a rigid body by Taylor's series in some 33 digits: the judge of what claims to be
-/// exact in double. It shares no formula with the closed forms.
+/// The motion of a rigid body by Taylor's series with about 33 digits. It judges code that claims
+/// to be exact in double, and shares no formula with the closed forms.
 namespace tests {
 
 #ifdef __SIZEOF_FLOAT128__
@@ -21,7 +21,7 @@ __extension__ using Precise = __float128;
 using Precise = boost::multiprecision::cpp_bin_float_quad;
 #endif
 
-/// A free body, or one under gravity about a fixed point on whose z axis its centre of mass lies.
+/// A free body, or one under gravity about a fixed point whose z axis holds its centre of mass.
 struct PreciseBody {
   common::Vec3 moments = common::Vec3::Ones();
   double weight_moment = 0.0;  ///< m g l, with gravity along the world's −z
@@ -29,7 +29,7 @@ struct PreciseBody {
 
 class PreciseSpin {
  public:
-  /// The start's quaternion is made unit in all digits.
+  /// Normalises the start's quaternion in all digits.
   PreciseSpin(const PreciseBody& body, const common::Spin& start)
       : weight_(Precise(body.weight_moment)) {
     const common::Quat& q = start.world_from_body;
@@ -42,7 +42,8 @@ class PreciseSpin {
     }
   }
 
-  /// To a later time, of either sign from here. Each step drops terms of the size of tolerance.
+  /// Runs to a later time, or for a negative duration to an earlier one. Each step drops terms of
+  /// the size of tolerance.
   void run(double duration, double tolerance = 1e-30) {
     Precise left = Precise(duration);
     const double sign = duration < 0.0 ? -1.0 : 1.0;
@@ -68,13 +69,13 @@ class PreciseSpin {
     return spin;
   }
 
-  /// The angle to an attitude [rad], whose own length does not matter.
+  /// Returns the angle to an attitude [rad]. The length of the quaternion does not matter.
   [[nodiscard]] double angle_to(const common::Quat& q) const {
     return angle({Precise(q.w()), Precise(q.x()), Precise(q.y()), Precise(q.z())});
   }
   [[nodiscard]] double angle_to(const PreciseSpin& other) const { return angle(other.q_); }
 
-  /// The distance of an angular velocity from here, over the size of the velocity here.
+  /// Returns the distance of an angular velocity from this one, over the size of this one.
   [[nodiscard]] double velocity_error(const common::Vec3& velocity) const {
     common::Vec3 difference;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -119,7 +120,7 @@ class PreciseSpin {
     for (Precise& x : q_) x /= root;
   }
 
-  /// Euler's equations, q' = ½ q ω, and the vertical in the body, γ' = γ × ω.
+  /// Uses Euler's equations, q' = ½ q ω, and the vertical in the body, γ' = γ × ω.
   void expand() {
     for (std::size_t i = 0; i < 4; ++i) series_q_[i][0] = q_[i];
     for (std::size_t i = 0; i < 3; ++i) series_w_[i][0] = w_[i];
@@ -152,7 +153,8 @@ class PreciseSpin {
     }
   }
 
-  /// Where the last two terms come down to the tolerance, times the size of each series.
+  /// Returns the step at which the last two terms reach the tolerance, times the size of each
+  /// series.
   [[nodiscard]] double step(double tolerance) const {
     const auto largest = [this](std::size_t n) {
       double size = 0.0;

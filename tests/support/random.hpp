@@ -8,21 +8,22 @@
 
 namespace tests {
 
-/// Seeded draws that are the same with every standard library. The hidden tests of a grader draw
-/// from other seeds: the environment variable TUMBLE_SEED is mixed into every one.
+/// Seeded draws that are the same with every standard library. The hidden tests of a grader use
+/// other seeds: the environment variable TUMBLE_SEED is mixed into every one.
 class Random {
  public:
   explicit Random(std::uint64_t seed);
 
-  /// In [low, high).
+  /// Returns a number in [low, high).
   double uniform(double low, double high);
-  /// Each component in [−size, size).
+  /// Returns a vector with each component in [−size, size).
   common::Vec3 vector(double size = 1.0);
-  /// Uniform on the sphere.
+  /// Returns a unit vector, uniform on the sphere.
   common::Vec3 direction();
-  /// Uniform over all attitudes, both signs.
+  /// Returns an attitude, uniform over all attitudes and both signs.
   common::Quat attitude();
-  /// Symmetric, positive definite, of three distinct moments that obey the triangle inequality.
+  /// Returns a symmetric, positive definite matrix of three distinct moments that obey the triangle
+  /// inequality.
   common::Mat3 inertia();
 
  private:

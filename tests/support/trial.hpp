@@ -15,31 +15,31 @@
 
 namespace tests {
 
-/// How far off a right answer may be, and why so far.
+/// The largest error of a right answer, and the reason for it.
 struct Bound {
   double value;
   std::string reason;
 };
 
-/// What a known mistake would have returned for the same input.
+/// The value that a known mistake would have returned for the same input.
 template <typename Value>
 struct Suspect {
   Value value;
   std::string story;
 };
 
-/// One input on which a contract function is judged. When the judgement fails it explains itself on
-/// stderr, a line a fact, each after "| ": step, case, input, got, wanted, error, bound, likely.
-/// Where the answer crashes or never returns, run_each has it tell step, case and input.
+/// One input on which a contract function is judged. A judgement that fails explains itself on
+/// stderr, one fact a line, each after "| ": step, case, input, got, wanted, error, bound, likely.
+/// If the answer crashes or never returns, run_each makes it tell step, case and input.
 class Trial : private UnderWay {
  public:
   /// step_and_function  as the stub throws it: "1.2 point_velocity"
-  /// index, count       which of how many inputs of one test case, from 1
+  /// index, count       the number of this input, from 1, and the number of inputs of the test case
   explicit Trial(std::string step_and_function, int index = 1, int count = 1)
       : step_(std::move(step_and_function)), index_(index), count_(count) {}
 
-  /// An argument, printed as C++ that can be pasted. It is kept as it is now, and no text is made
-  /// of it until a judgement fails: to print some numbers takes longer than to judge them.
+  /// Adds an argument, which is printed as C++ that can be pasted. It is kept as it is now, and
+  /// becomes a text only if a judgement fails, because printing takes longer than judging.
   template <typename Value>
   Trial& given(const std::string& name, const Value& value) {
     if constexpr (requires { typename Value::PlainObject; }) {
@@ -50,30 +50,30 @@ class Trial : private UnderWay {
     return *this;
   }
 
-  /// What names a likely mistake where a judgement fails and not one suspect alone fits.
-  /// likely  asked only then; empty where it cannot tell, see fingerprint.hpp
+  /// Sets what names a likely mistake if a judgement fails and not exactly one suspect fits.
+  /// likely  is called only then; it returns an empty text if it cannot tell, see fingerprint.hpp
   Trial& suspecting(std::function<std::string()> likely) {
     likely_ = std::move(likely);
     return *this;
   }
 
-  /// The same trial of one part of the result, as of "the torque".
+  /// Returns the same trial for one part of the result, as in "the torque".
   [[nodiscard]] Trial of(const std::string& part) const {
     Trial trial = *this;
     trial.part_ = part;
     return trial;
   }
 
-  /// Requires |got − wanted| ≤ bound, in the norm of values.hpp. Where exactly one suspect gives
-  /// what was got (twice the bound is allowed) it is named as the likely mistake.
+  /// Requires |got − wanted| ≤ bound, in the norm of values.hpp. If exactly one suspect gives the
+  /// value of the answer (twice the bound is allowed), it is named as the likely mistake.
   template <typename Value>
   void expect(const Value& got, const Value& wanted, const Bound& bound,
               const std::vector<Suspect<Value>>& suspects = {}) const {
     expect(got, wanted, bound, [&]() -> const std::vector<Suspect<Value>>& { return suspects; });
   }
 
-  /// The same with suspects that are worked out when the judgement fails, and not before.
-  /// suspects  of no argument; it returns a vector of them
+  /// Does the same with suspects that are computed only if the judgement fails.
+  /// suspects  a function without arguments that returns a vector of them
   template <typename Value, std::invocable Suspects>
   void expect(const Value& got, const Value& wanted, const Bound& bound,
               const Suspects& suspects) const {
@@ -95,8 +95,8 @@ class Trial : private UnderWay {
     REQUIRE(error <= bound.value);
   }
 
-  /// Requires a property of the result: `error` ≤ bound, where `what` says what the error measures.
-  /// likely  a mistake of which the caller has seen the sign, or empty
+  /// Requires a property of the result: `error` ≤ bound. `what` says what the error measures.
+  /// likely  a mistake whose sign the caller has seen, or empty
   void expect_small(const std::string& what, double error, const Bound& bound,
                     const std::string& likely = "") const {
     if (!is_finite(error)) fail_not_finite(what + " = " + text(error), "0");
@@ -107,8 +107,8 @@ class Trial : private UnderWay {
     REQUIRE(error <= bound.value);
   }
 
-  /// What the call returns; an exception is explained with the input. NotImplemented passes
-  /// through.
+  /// Returns the result of the call. It explains an exception with the input, but lets
+  /// NotImplemented pass.
   template <typename Call>
   auto returned(const Call& call) const {
     try {
@@ -122,8 +122,8 @@ class Trial : private UnderWay {
     }
   }
 
-  /// Requires that the call throws an Expected; NotImplemented passes through.
-  /// likely  the mistake where it returns a value, or empty
+  /// Requires that the call throws an Expected; lets NotImplemented pass.
+  /// likely  the mistake if it returns a value, or empty
   template <typename Expected = std::invalid_argument, typename Call>
   void expect_throw(const Call& call, const std::string& why,
                     const std::string& likely = "") const {
@@ -176,14 +176,14 @@ class Trial : private UnderWay {
 
   void tell() const override { std::cerr << asked() << std::flush; }
 
-  /// Two stories that fit are none: only a sure sign is named.
+  /// If two stories fit, none is named, because only a sure sign counts.
   void explain(const std::string& got, const std::string& wanted, const std::string& error,
                const std::string& bound, const std::vector<std::string>& stories) const {
     std::string lines = asked();
     if (!part_.empty()) lines += "| note    this is about " + part_ + "\n";
     lines += "| got     " + got + "\n| wanted  " + wanted + "\n| error   " + error + "\n";
     if (!bound.empty()) lines += "| bound   " + bound + "\n";
-    std::cerr << lines << std::flush;  // all of it, should the answer crash on other inputs
+    std::cerr << lines << std::flush;  // flushed, because the answer may crash on other inputs
     std::string likely = stories.size() == 1 ? stories.front() : "";
     if (likely.empty() && likely_) likely = likely_();
     if (!likely.empty()) std::cerr << "| likely  " << likely << "\n" << std::flush;

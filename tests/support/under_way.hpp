@@ -5,7 +5,7 @@
 
 namespace tests {
 
-/// What a test is about while it asks the answer: a crash or a loop in there tells no more.
+/// Tells what a test asks the answer. In a crash or a loop the test itself can no longer tell.
 class UnderWay {
  public:
   UnderWay() { under_way.push_back(this); }
@@ -15,7 +15,7 @@ class UnderWay {
     under_way.erase(std::find(under_way.rbegin(), under_way.rend(), this).base() - 1);
   }
 
-  /// The newest one tells of itself on stderr; false where none is under way.
+  /// Lets the newest one describe itself on stderr. Returns false if none is under way.
   static bool tell_of_newest() {
     if (under_way.empty()) return false;
     under_way.back()->tell();

@@ -8,14 +8,15 @@
 
 #include "common/types.hpp"
 
-/// How tests compare and print the values that contracts return.
+/// Functions by which tests compare and print the values that contracts return.
 namespace tests {
 
 using common::Mat3;
 using common::Quat;
 using common::Vec3;
 
-/// Distance from 1 to the next double: a rounded operation errs by at most half of it, relatively.
+/// The distance from 1 to the next double. A rounded operation has at most half of it as its
+/// relative error.
 inline constexpr double eps = std::numeric_limits<double>::epsilon();
 
 inline bool is_finite(double value) { return std::isfinite(value); }
@@ -25,7 +26,7 @@ bool is_finite(const Eigen::MatrixBase<Derived>& value) {
   return value.allFinite();
 }
 
-/// Length of all entries together, without overflow or underflow on the way.
+/// Return the length of all entries together, without overflow or underflow on the way.
 inline double length(double value) { return std::abs(value); }
 inline double length(const Vec3& value) { return value.stableNorm(); }
 inline double length(const Quat& value) { return value.coeffs().stableNorm(); }
@@ -36,12 +37,12 @@ inline double length(const Mat3& value) {
 inline double difference(double a, double b) { return length(a - b); }
 inline double difference(const Vec3& a, const Vec3& b) { return length(Vec3(a - b)); }
 inline double difference(const Mat3& a, const Mat3& b) { return length(Mat3(a - b)); }
-/// q and −q are one attitude.
+/// q and −q are the same attitude.
 inline double difference(const Quat& a, const Quat& b) {
   return std::min((a.coeffs() - b.coeffs()).norm(), (a.coeffs() + b.coeffs()).norm());
 }
 
-/// The shortest decimal that reads back as the same double: 17 digits where 15 do not do.
+/// Returns the shortest decimal that reads back as the same double: 17 digits if 15 are too few.
 inline std::string text(double value) {
   char digits[32];
   for (const int precision : {6, 15, 17}) {
@@ -50,7 +51,7 @@ inline std::string text(double value) {
   }
   return digits;
 }
-/// As C++ that a student can paste.
+/// Return C++ that a student can paste.
 inline std::string text(const Vec3& v) {
   return "Vec3(" + text(v.x()) + ", " + text(v.y()) + ", " + text(v.z()) + ")";
 }

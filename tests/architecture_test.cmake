@@ -1,8 +1,8 @@
-# Folders depend on each other in one direction only, and every lab is complete.
+# Tests that folders depend on each other in one direction only, and that every lab is complete.
 # Run: cmake -D root=<project> -P architecture_test.cmake
 set(failures "")
 
-# forbid(<folder> <include regex>...): no file below it may include what fits.
+# forbid(<folder> <include regex>...): no file below the folder may include a header that fits.
 function(forbid folder)
   file(GLOB_RECURSE files "${root}/${folder}/*.hpp" "${root}/${folder}/*.cpp")
   forbid_in("${files}" ${ARGN})
@@ -35,14 +35,14 @@ function(demand file regex)
   set(failures "${failures}" PARENT_SCOPE)
 endfunction()
 
-# Who may include whom. A file reaches its own lab's contract by name, without a folder.
+# These are the allowed includes. A file reaches its own lab's contract by name, without a folder.
 forbid(common "render/" "labs/" "solutions/" "tests/" "GL/" "EGL/" "stb" "catch" "benchmark/")
 forbid(render "labs/" "solutions/" "tests/" "catch")
 forbid(solutions "render/" "labs/" "solutions/" "tests/" "GL/" "catch" "boost/")
 forbid(labs "labs/" "solutions/" "tests/" "GL/" "EGL/" "stb" "catch" "boost/" "benchmark/" "[.][.]/")
 forbid(tests "labs/" "solutions/")
 
-# Other engines stay behind the labs' peers.hpp.
+# Other engines may be included only behind the labs' peers.hpp.
 set(engines "bt[A-Z]" "bullet/" "Bullet" "LinearMath/" "ode/" "fcl/" "embree" "rtcore" "CGAL/")
 foreach(folder IN ITEMS common render solutions tests)
   forbid(${folder} ${engines})
@@ -51,7 +51,7 @@ file(GLOB_RECURSE files "${root}/labs/*.hpp" "${root}/labs/*.cpp")
 list(FILTER files EXCLUDE REGEX "/peers[a-z_]*[.]cpp$")
 forbid_in("${files}" ${engines})
 
-# An answer that draws could not be graded where no graphics is installed.
+# An answer that draws could not be graded if no graphics is installed.
 file(GLOB labs RELATIVE "${root}/labs" "${root}/labs/[0-9]*_*")
 foreach(folder IN LISTS labs)
   string(REGEX REPLACE "^[0-9]+_" "" name "${folder}")
@@ -65,7 +65,7 @@ foreach(folder IN LISTS labs)
   endforeach()
 endforeach()
 
-# Every lab is whole and listed; a hand-out ships without solutions.
+# Every lab must be complete and listed. A hand-out ships without solutions.
 foreach(folder IN LISTS labs)
   string(REGEX REPLACE "^[0-9]+_" "" name "${folder}")
   set(paths labs/${folder}/CMakeLists.txt labs/${folder}/README.md labs/${folder}/hints.md
@@ -97,7 +97,7 @@ foreach(folder IN LISTS labs)
   demand(labs/${folder}/CMakeLists.txt "add_lab\\(${name}[ )]")
 endforeach()
 
-# Particle labs know no rigid body.
+# The labs on particles must not know rigid bodies.
 foreach(name IN ITEMS 3_discrete_particle_cylinder 4_continuous_particle_cylinder)
   forbid(labs/${name} "common/attitude" "common/coning" "common/rigid_body")
   forbid(solutions/${name} "common/attitude" "common/coning" "common/rigid_body")

@@ -1,4 +1,4 @@
-# Hand-out and grading. A stand-in for the judge proves all that is around it within seconds.
+# Tests of hand-out and grading. A stand-in for the judge proves all code around it within seconds.
 function(add_grading_test name part)
   add_kit_script(grading "${name}" Python3::Interpreter -B
     "${CMAKE_CURRENT_SOURCE_DIR}/grading_test.py" ${part})
@@ -10,7 +10,7 @@ foreach(part IN ITEMS handout intake points proof running sandbox gradescope)
   add_grading_test(${part} ${part})
 endforeach()
 
-# These build, or start a cluster, which takes minutes. The judge's programs are built in one folder.
+# These build, or start a cluster, which takes minutes. The judge's programs share one build folder.
 function(add_long_grading_test name part)
   add_grading_test("${name}" ${part} TIMEOUT 3600 ${ARGN})
   set_property(TEST "kit/grading/${name}" PROPERTY LABELS kit long)
@@ -21,4 +21,4 @@ add_long_grading_test("no attack earns or leaves anything" attack RESOURCE_LOCK 
 add_long_grading_test("the judge knows right from wrong" judged PROCESSORS 2 RESOURCE_LOCK judge)
 add_long_grading_test("a small class gets what is due" judged_class PROCESSORS 2 RESOURCE_LOCK judge)
 
-# By hand: all mistakes of a lab, see judged_test.py.
+# Run this by hand: all mistakes of a lab, see judged_test.py.

@@ -1,6 +1,6 @@
-# Tests of the renderer, its timings, and its gallery for eyes.
+# Tests of the renderer, its timings, and its gallery for the eye.
 #   render_gallery     draws a large picture of everything: build/…/gallery.png
-#   render_benchmark   a program, see its head
+#   render_benchmark   is a program, see its head
 add_library(render_picture STATIC render_picture.cpp render_stb_image.cpp)
 target_include_directories(render_picture SYSTEM PRIVATE "${STB_INCLUDE_DIR}")
 target_link_libraries(render_picture PUBLIC render_image PRIVATE project_flags)
@@ -27,7 +27,7 @@ if(TARGET render_scene)
   target_link_libraries(render_benchmark
     PRIVATE render_gallery_scene render_picture benchmark::benchmark project_flags)
 
-  # What the leak checker may find in the GL library is not ours to mend.
+  # Leaks that the checker may find in the GL library are not ours to repair.
   get_property(all_tests DIRECTORY PROPERTY TESTS)
   list(FILTER all_tests INCLUDE REGEX "^kit/render_")
   set_property(TEST ${all_tests} APPEND PROPERTY

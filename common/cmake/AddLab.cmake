@@ -1,20 +1,20 @@
 # add_lab(<name> [USES <room>...])
 #
 # Declares the lab in the current folder, labs/<N>_<name>/. Its tests, scene and chart are compiled
-# once, against the contract <name>.hpp alone, and linked with one answer after the other:
+# once, against the contract <name>.hpp alone. They are linked with one answer after the other:
 #   <name>_student_{test,scene,chart}     the student's <name>.cpp in this folder
 #   <name>_reference_{test,scene,chart}   solutions/<N>_<name>/<name>.cpp
 #   <name>_<other>_{test,scene,chart}     solutions/<N>_<name>/<other>.cpp, a right answer, too
-# and, where TUMBLE_PROOF, their tests with what else is in solutions/<N>_<name>/:
-#   mistakes/nan.cpp   returns NaN everywhere, and throws std::domain_error("not a number") where the
+# If TUMBLE_PROOF, the tests are also linked with what else is in solutions/<N>_<name>/:
+#   mistakes/nan.cpp   returns NaN everywhere, and throws std::domain_error("not a number") if the
 #                      contract has no number: every test fails
-#   mistakes.cmake     the bank of mistakes where TUMBLE_MISTAKES, see add_mutant
-# Where TUMBLE_GRADE, none of these but what judges files that are handed in, see _add_judge.
-# CTest names are <N>_<name>/<answer>/<step>/<case>; labels student, stub, right, nan, mistake.
-# What contract, answers and tests include of common/ stands in the rooms after USES, see
-# common/CMakeLists.txt: the first build of a lab takes no others.
-# A hand-out may ship without the solutions folder. Where a lab has peers.cpp, its chart can be drawn
-# against other engines: <name>_peers is that file and peers_<engine>.cpp of each that is installed.
+#   mistakes.cmake     the bank of mistakes if TUMBLE_MISTAKES, see add_mutant
+# If TUMBLE_GRADE, there are none of these, but only what judges files that are handed in, see
+# _add_judge. CTest names are <N>_<name>/<answer>/<step>/<case>; labels are student, stub, right,
+# nan and mistake. USES names the rooms of common/ that contract, answers and tests include, see
+# common/CMakeLists.txt. The first build of a lab takes no other rooms. A hand-out may ship without
+# the solutions folder. If a lab has peers.cpp, its chart can be drawn against other engines:
+# <name>_peers is that file and peers_<engine>.cpp of each that is installed.
 function(add_lab name)
   cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME folder)
   set(solutions "${PROJECT_SOURCE_DIR}/solutions/${folder}")
@@ -30,7 +30,7 @@ function(add_lab name)
   list(JOIN cases "\n" lines)
   file(GENERATE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/cases.txt" CONTENT "${lines}\n")
   _add_program(${name}_test "${test_sources}" test_support)
-  if(NOT TUMBLE_PROOF)  # a first build, for which two processors wait, is over sooner
+  if(NOT TUMBLE_PROOF)  # a first build, for which two processors wait, ends sooner
     set_target_properties(${name}_test PROPERTIES UNITY_BUILD_BATCH_SIZE 4)
   endif()
   set(tests test)
@@ -94,11 +94,12 @@ endfunction()
 
 # add_mutant(<name> <mistake> <step> <find> <replace> <words> [OF <answer>])
 #
-# The reference with one mistake in it: <find>, which must stand in it, is replaced. A test of <step>
-# must fail, and the likely mistake that its tests name must hold <words>; no other may be named.
-# Empty <words>: a mistake without a fingerprint, for which they must name none. With OF it is made in
-# another right answer, <answer>.cpp: a trick that the reference does without has mistakes of its own.
-# Only what the mistake can reach is compiled again, see only_affected.py.
+# Adds the reference with one mistake in it: <find>, which it must contain, is replaced. A test of
+# <step> must fail. The likely mistake that its tests name must contain <words>, and they may name
+# no other. If <words> is empty, the mistake has no fingerprint and the tests must name none. With
+# OF the mistake is made in another right answer, <answer>.cpp, because a trick that the reference
+# does not use has mistakes of its own. Only what the mistake can reach is compiled again, see
+# only_affected.py.
 function(add_mutant name mistake step find replace words)
   cmake_parse_arguments(PARSE_ARGV 6 arg "" "OF" "")
   if(arg_UNPARSED_ARGUMENTS OR arg_KEYWORDS_MISSING_VALUES)
@@ -126,7 +127,7 @@ function(add_mutant name mistake step find replace words)
   set_tests_properties("${folder}/mistake/${step}/${mistake}" PROPERTIES LABELS mistake TIMEOUT 120)
 endfunction()
 
-# The bank of mistakes, and the right answers that stand behind what a mistake cannot reach.
+# Adds the bank of mistakes, and the right answers that supply what a mistake cannot reach.
 function(_add_mistakes)
   file(REMOVE_RECURSE "${CMAKE_CURRENT_BINARY_DIR}/whole")
   include("${solutions}/mistakes.cmake")
@@ -139,7 +140,7 @@ function(_add_mistakes)
     if(answer STREQUAL name)
       set(right ${name}_reference)
     endif()
-    # The lab's own names alone: what the answer only asks for would be null where it is weak, too.
+    # Only the lab's own names: a name that the answer only uses would be null if it were weak, too.
     set(weak "${CMAKE_CURRENT_BINARY_DIR}/${answer}_weak.o")
     add_custom_command(OUTPUT "${weak}"
       COMMAND ${CMAKE_OBJCOPY} --wildcard "--weaken-symbol=_ZN3lab*" "--weaken-symbol=_ZNK3lab*"
@@ -161,14 +162,14 @@ function(_add_program program sources)
   target_precompile_headers(${program} REUSE_FROM precompiled)
 endfunction()
 
-# The lab's tests with all that they need, linked once: <name>_tests, a shared library that leaves the
-# contract's functions to the program. What a save compiles and links is the student's file alone.
+# Links the lab's tests with all that they need once: <name>_tests is a shared library that leaves
+# the contract's functions to the program. So a save compiles and links only the student's file.
 function(_add_tests)
   add_library(${name}_tests SHARED)
   target_link_libraries(${name}_tests PRIVATE ${name}_test)
 endfunction()
 
-# An engine that is not installed costs its own file only; a lab has files for those that do its work.
+# An engine that is not installed costs only its own file; a lab has files for those it can use.
 function(_add_peers)
   set(sources "")
   set(engines "")
@@ -184,7 +185,7 @@ function(_add_peers)
   set_target_properties(${name}_peers PROPERTIES UNITY_BUILD OFF)  # engines' headers do not mix
 endfunction()
 
-# _add_answer(<answer> <source> <flags> [PICTURES]): an implementation and the programs linked with it.
+# _add_answer(<answer> <source> <flags> [PICTURES]) adds an implementation and its programs.
 function(_add_answer answer source flags)
   set(implementation ${name}_${answer})
   add_library(${implementation} OBJECT "${source}")
@@ -210,8 +211,8 @@ function(_add_answer answer source flags)
   endforeach()
 endfunction()
 
-# _add_closer_look(<kind> <flag>...): <name>_student_<kind>_test, the student's file compiled otherwise
-# and linked with the same tests. Nothing builds it but the command.
+# _add_closer_look(<kind> <flag>...) adds <name>_student_<kind>_test: the student's file, compiled
+# with other flags and linked with the same tests. Only the command builds it.
 function(_add_closer_look kind)
   set(program ${name}_student_${kind}_test)
   add_executable(${program} EXCLUDE_FROM_ALL "${CMAKE_CURRENT_SOURCE_DIR}/${name}.cpp")
@@ -221,9 +222,10 @@ function(_add_closer_look kind)
   set_target_properties(${program} PROPERTIES UNITY_BUILD OFF)
 endfunction()
 
-# The lab's tests with solutions/grading/<name>/proxy.cpp in place of an answer, and what an answer is
-# linked with to run elsewhere; see solutions/grading/contract.hpp. CMake compiles no answer for it.
-# build/grade/judges/<name>.json says where all of that is, and how a student's file is compiled.
+# Links the lab's tests with solutions/grading/<name>/proxy.cpp in place of an answer. Also builds
+# what an answer is linked with to run elsewhere, see solutions/grading/contract.hpp. CMake compiles
+# no answer for it. build/grade/judges/<name>.json says where all of that is, and how to compile a
+# student's file.
 function(_add_judge)
   set(grading "${PROJECT_SOURCE_DIR}/solutions/grading")
   if(NOT EXISTS "${grading}/${name}/proxy.cpp")
@@ -250,8 +252,8 @@ function(_add_judge)
 }\n")
 endfunction()
 
-# _read_cases(<out> <file>...): the test cases as a list of <step>|<name>. They are read from the
-# sources, never by running a program that holds a student's code.
+# _read_cases(<out> <file>...) reads the test cases as a list of <step>|<name>. It reads the sources
+# and never runs a program that contains a student's code.
 function(_read_cases out)
   set(cases "")
   foreach(file IN LISTS ARGN)
@@ -268,7 +270,8 @@ function(_read_cases out)
   set(${out} "${cases}" PARENT_SCOPE)
 endfunction()
 
-# _add_cases(<answer> <label>): each case in a process of its own; the names go to <answer>_tests.
+# _add_cases(<answer> <label>) adds each case in a process of its own; the names go to
+# <answer>_tests.
 function(_add_cases answer label)
   set(names "")
   foreach(case IN LISTS cases)
@@ -276,8 +279,8 @@ function(_add_cases answer label)
     list(POP_FRONT case step)
     set(test "${folder}/${answer}/${step}/${case}")
     add_test(NAME "${test}" COMMAND ${name}_${answer}_test "${case}" ${catch2_strict})
-    # Catch2's own words: exit code 0 alone would pass an answer that calls exit(0), and a case that
-    # asserts nothing.
+    # These are Catch2's own words. Exit code 0 alone would pass an answer that calls exit(0), and a
+    # case that asserts nothing.
     set_tests_properties("${test}" PROPERTIES LABELS ${label} TIMEOUT ${case_seconds}
       PASS_REGULAR_EXPRESSION "All tests passed [(][1-9]")
     list(APPEND names "${test}")
@@ -285,7 +288,7 @@ function(_add_cases answer label)
   set(${answer}_tests "${names}" PARENT_SCOPE)
 endfunction()
 
-# A right answer passes whatever the seed; the sanitizers, ten times slower, look at one.
+# A right answer passes for every seed. The sanitizers are ten times slower and look at one seed.
 function(_add_seeds answer)
   if(TUMBLE_SANITIZE)
     return()
@@ -311,13 +314,13 @@ function(_add_stub_cases)
   endforeach()
 endfunction()
 
-# What a case may take, so that a hang ends.
+# The limits of a case, so that one that hangs ends.
 set(case_seconds 10)
 if(TUMBLE_SANITIZE)
   set(case_seconds 100)
 endif()
 
-# Our files are small and include the same big headers, which are read once for all of them.
+# Our files are small and include the same big headers. A unit reads these once for several files.
 add_library(precompiled OBJECT "${PROJECT_SOURCE_DIR}/common/precompiled.cpp")
 target_link_libraries(precompiled PRIVATE Eigen3::Eigen project_flags)
 target_precompile_headers(precompiled PRIVATE "${PROJECT_SOURCE_DIR}/common/precompiled.hpp")

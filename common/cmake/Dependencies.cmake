@@ -1,4 +1,4 @@
-# Finds what is installed and gives each dependency one name; nothing is downloaded.
+# Finds what is installed and gives each dependency one name. It downloads nothing.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 
 find_package(Catch2 3 QUIET)
@@ -7,22 +7,22 @@ if(NOT Catch2_FOUND)
 endif()
 message(STATUS "Catch2 ${Catch2_VERSION}")
 
-# Exact references and oracles of the tests.
+# These are for the exact references and for the oracles of the tests.
 find_package(Boost 1.74 REQUIRED)
 
-# Timings of the charts and of the renderer.
+# This times the charts and the renderer.
 find_package(benchmark REQUIRED)
 find_package(Threads REQUIRED)
 
-# Glue of the tests: checks of the mistakes, of the command and of the architecture.
+# This runs the checks of the mistakes, of the command and of the architecture.
 find_package(Python3 3.9 REQUIRED COMPONENTS Interpreter)
 
-# PNG: stb writes the file, ISA-L packs it.
+# For PNG, stb writes the file and ISA-L packs it.
 find_path(STB_INCLUDE_DIR stb_image_write.h PATH_SUFFIXES stb REQUIRED)
 find_path(ISAL_INCLUDE_DIR isa-l/igzip_lib.h REQUIRED)
 find_library(ISAL_LIBRARY isal REQUIRED)
 
-# Off-screen GL. Both libraries are opened at run time, so only their headers count here.
+# For off-screen GL. Both libraries are opened at run time, so only their headers count here.
 find_path(GLCOREARB_INCLUDE_DIR GL/glcorearb.h)
 find_path(OSMESA_INCLUDE_DIR GL/osmesa.h)
 find_path(EGL_INCLUDE_DIR EGL/egl.h)
@@ -39,7 +39,7 @@ else()
   message(STATUS "Off-screen GL: none, so no pictures (install libosmesa6-dev or libegl-dev)")
 endif()
 
-# _add_peer(<name> <include folder> <library>...): peer_<name> and TUMBLE_<NAME>, where all are found.
+# _add_peer(<name> <include folder> <library>...) adds peer_<name> and TUMBLE_<NAME> if all exist.
 function(_add_peer name include)
   foreach(found IN LISTS include ARGN)
     if(NOT found)
@@ -54,8 +54,8 @@ function(_add_peer name include)
   set(peers ${peers} ${name} PARENT_SCOPE)
 endfunction()
 
-# Peers: engines that a chart can be drawn against. Each that is here becomes peer_<name>; Debian has
-# Bullet in both precisions, and a user who cares takes double.
+# Peers are engines against which a chart can be drawn. Each one that is installed becomes
+# peer_<name>. Debian has Bullet in both precisions, and a user who needs accuracy takes double.
 set(peers "")
 if(TUMBLE_BULLET)
   find_path(BULLET_INCLUDE_DIR btBulletDynamicsCommon.h PATH_SUFFIXES bullet)
@@ -85,7 +85,7 @@ if(TUMBLE_FCL)
   _add_peer(fcl "${FCL_INCLUDE_DIR}" "${FCL_LIBRARY}" "${CCD_LIBRARY}")
 endif()
 if(TUMBLE_EMBREE)
-  # Either version does: what the peer calls is the same in both.
+  # Either version will do, because the peer calls the same functions in both.
   find_path(EMBREE_RTCORE_DIR rtcore.h PATH_SUFFIXES embree4 embree3)
   find_library(EMBREE_LIBRARY NAMES embree4 embree3)
   _add_peer(embree "${EMBREE_RTCORE_DIR}" "${EMBREE_LIBRARY}")
@@ -96,7 +96,7 @@ if(TUMBLE_CGAL)
   find_library(MPFR_LIBRARY mpfr)
   _add_peer(cgal "${CGAL_INCLUDE_DIR}" "${MPFR_LIBRARY}" "${GMP_LIBRARY}")
   if(TARGET peer_cgal)
-    # CGAL's intervals change the rounding mode, of which g++ must be told.
+    # CGAL's intervals change the rounding mode, and g++ must know that.
     target_compile_options(peer_cgal INTERFACE $<$<CXX_COMPILER_ID:GNU>:-frounding-math>)
   endif()
 endif()

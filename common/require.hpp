@@ -32,6 +32,11 @@ inline void require_not_negative(double value, const char* name) {
   if (!(value >= 0.0 && std::isfinite(value))) refuse(name, "a finite number from zero up", value);
 }
 
+/// Requires a number from 0 to 1.
+inline void require_fraction(double value, const char* name) {
+  if (!(value >= 0.0 && value <= 1.0)) refuse(name, "a number from 0 to 1", value);
+}
+
 /// Requires length one, to 1e-9.
 void require_unit(const Vec3& value, const char* name);
 

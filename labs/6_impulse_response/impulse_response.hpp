@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "common/obstacle.hpp"
+#include "common/rigid_body.hpp"
 #include "common/types.hpp"
 
 /// The contract of lab 6, in the world frame and in SI units. A normal n is unit and points out of
@@ -22,6 +23,7 @@ namespace lab::impulse_response {
 
 using common::Mat3;
 using common::Obstacle;
+using common::RigidBody;
 using common::Vec3;
 
 /// The constants of a contact between two surfaces.
@@ -104,16 +106,6 @@ struct ImpactStep {
 ImpactStep step_to_impact(const Particle& particle, const Obstacle& obstacle,
                           const Material& material, const Vec3& gravity, double dt,
                           int max_impacts);
-
-/// The state of a rigid body that an impact needs. Both inverses of an immovable body are zero.
-struct RigidBody {
-  double inverse_mass = 1.0;                ///< zero or above [1/kg]
-  Mat3 inverse_inertia = Mat3::Identity();  ///< world frame [1/(kg m²)]; symmetric to 1e-9 of its
-                                            ///< largest entry, none on the diagonal below zero
-  Vec3 position = Vec3::Zero();             ///< centre of mass [m]
-  Vec3 velocity = Vec3::Zero();             ///< of the centre of mass [m/s]
-  Vec3 angular_velocity = Vec3::Zero();     ///< world frame [rad/s]
-};
 
 struct Contact {
   Vec3 point = Vec3::Zero();    ///< [m]

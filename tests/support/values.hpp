@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstdio>
 #include <limits>
 #include <string>
@@ -32,6 +33,27 @@ inline double length(const Vec3& value) { return value.stableNorm(); }
 inline double length(const Quat& value) { return value.coeffs().stableNorm(); }
 inline double length(const Mat3& value) {
   return Eigen::Map<const Eigen::Matrix<double, 9, 1>>(value.data()).stableNorm();
+}
+
+/// What has no three entries, in values.cpp: these types themselves, as an expression fits them
+/// all.
+template <typename Value>
+concept OtherSize = std::same_as<Value, Eigen::Vector2d> || std::same_as<Value, Eigen::VectorXd> ||
+    std::same_as<Value, Eigen::MatrixXd>;
+double length_of(const double* entries, Eigen::Index count);
+std::string text_of(const Eigen::Vector2d& v);
+std::string text_of(const Eigen::VectorXd& v);
+std::string text_of(const Eigen::MatrixXd& m);
+
+template <OtherSize Value>
+double length(const Value& value) {
+  return length_of(value.data(), value.size());
+}
+/// Infinite if the sizes are not the same.
+template <OtherSize Value>
+double difference(const Value& a, const Value& b) {
+  if (a.rows() != b.rows() || a.cols() != b.cols()) return std::numeric_limits<double>::infinity();
+  return length(Value(a - b));
 }
 
 inline double difference(double a, double b) { return length(a - b); }
@@ -65,6 +87,10 @@ inline std::string text(const Mat3& m) {
     rows += text(m(i, 0)) + ", " + text(m(i, 1)) + ", " + text(m(i, 2)) + "}";
   }
   return rows + "}";
+}
+template <OtherSize Value>
+std::string text(const Value& value) {
+  return text_of(value);
 }
 
 }  // namespace tests

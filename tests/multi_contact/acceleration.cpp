@@ -1,0 +1,115 @@
+#include "acceleration.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tests {
+namespace {
+
+using Long = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+using Flawed = AccelerationFlaw;
+
+/// What one step of (13) leaves to the next.
+struct Course {
+  Long lambda;
+  Long y;
+  long double s = 1;
+};
+
+long double step_length(const Matrix& A, Flawed flaw) {
+  double L = common::largest_eigenvalue(A);
+  if (flaw == Flawed::step_of_trace) L = A.trace();
+  if (flaw == Flawed::step_of_diagonal) L = A.diagonal().maxCoeff();
+  if (flaw == Flawed::step_of_half) L *= 2.0;
+  return 1 / static_cast<long double>(L);
+}
+
+Long slope(const Accelerating& in, const Long& at, Flawed flaw) {
+  Long g(at.size());
+  for (Eigen::Index i = 0; i < at.size(); ++i) {
+    g[i] = flaw == Flawed::no_b ? 0 : static_cast<long double>(in.b[i]);
+    for (Eigen::Index j = 0; j < at.size(); ++j) {
+      g[i] += static_cast<long double>(in.A(i, j)) * at[j];
+    }
+  }
+  return g;
+}
+
+bool restarts(long double uphill, Flawed flaw) {
+  if (flaw == Flawed::never_restarts) return false;
+  if (flaw == Flawed::restarts_downhill) return uphill < 0;
+  return flaw == Flawed::always_restarts || uphill > 0;
+}
+
+long double share_kept(long double s, long double s_next, Flawed flaw) {
+  if (flaw == Flawed::no_momentum) return 0;
+  if (flaw == Flawed::full_momentum) return 1;
+  if (flaw == Flawed::momentum_by_old_s) return (s - 1) / s;
+  return flaw == Flawed::momentum_by_s ? s / s_next : (s - 1) / s_next;
+}
+
+/// returns  g·(λ' − λ) over the lengths of the two; 1 if nothing moved
+long double take_step(const Accelerating& in, long double length, Course& course, Flawed flaw) {
+  const Long g = slope(in, flaw == Flawed::slope_at_lambda ? course.lambda : course.y, flaw);
+  Long next = course.y - length * g;
+  if (flaw != Flawed::not_clamped) next = next.cwiseMax(0.0L);
+  const Long change = next - course.lambda;
+  const long double uphill = g.dot(change);
+  const bool again = restarts(uphill, flaw);
+  long double s = course.s;
+  if (again && flaw != Flawed::restarts_late) s = 1;
+  const long double root = std::sqrt(1 + (flaw == Flawed::s_without_4 ? 1 : 4) * s * s);
+  const long double s_next = (1 + root) / 2;
+  course.y = next + share_kept(s, s_next, flaw) * change;
+  if (flaw == Flawed::clamps_y) course.y = course.y.cwiseMax(0.0L).eval();
+  course.s = again && flaw == Flawed::restarts_late ? 1 : s_next;
+  if (again && flaw == Flawed::restart_steps_back) {
+    course.y = course.lambda;
+  } else {
+    course.lambda = next;
+  }
+  const long double lengths = g.norm() * change.norm();
+  return lengths > 0 ? uphill / lengths : 1;
+}
+
+}  // namespace
+
+Accelerated exact_acceleration(const Accelerating& in, AccelerationFlaw flaw) {
+  const Eigen::Index m = in.b.size();
+  Course course{Long::Zero(m), Long::Zero(m)};
+  const long double length = step_length(in.A, flaw);
+  long double margin = 1;
+  for (int step = 0; step < in.steps + (flaw == Flawed::one_step_more ? 1 : 0); ++step) {
+    margin = std::min(margin, std::abs(take_step(in, length, course, flaw)));
+  }
+  const Long& told = flaw == Flawed::returns_y ? course.y : course.lambda;
+  return {told.cast<double>(), static_cast<double>(margin)};
+}
+
+const std::vector<std::pair<AccelerationFlaw, std::string>>& acceleration_flaws() {
+  static const std::vector<std::pair<AccelerationFlaw, std::string>> all{
+      {Flawed::never_restarts, "there is no restart: if a step went uphill, s = 1"},
+      {Flawed::always_restarts, "every step restarts: only one that went uphill, g.(l' - l) > 0"},
+      {Flawed::restarts_downhill,
+       "it restarts if a step went downhill: uphill is g.(lambda' - lambda) > 0"},
+      {Flawed::restarts_late,
+       "a restart comes a step late: s = 1 first, then y, which has no momentum then"},
+      {Flawed::restart_steps_back, "a restart takes the step back: lambda' is kept"},
+      {Flawed::returns_y, "y is returned: it is lambda that is clamped"},
+      {Flawed::clamps_y, "y is clamped: only lambda is"},
+      {Flawed::slope_at_lambda, "the slope is taken at lambda: g = A y + b"},
+      {Flawed::no_momentum, "there is no momentum: y goes on past lambda'"},
+      {Flawed::full_momentum, "y goes on by the whole of the last step: by (s - 1)/s' of it"},
+      {Flawed::momentum_by_old_s, "the momentum is (s - 1)/s: divide by the next s"},
+      {Flawed::momentum_by_s, "the momentum is s/s': it is (s - 1)/s'"},
+      {Flawed::s_without_4, "the root is of 1 + s^2: it is of 1 + 4 s^2"},
+      {Flawed::step_of_trace, "L is the trace of A: take its largest eigenvalue"},
+      {Flawed::step_of_diagonal, "L is the largest of A's diagonal: take its largest eigenvalue"},
+      {Flawed::step_of_half, "the step is half of 1/L"},
+      {Flawed::not_clamped, "lambda is not clamped: a contact never pulls"},
+      {Flawed::no_b, "b is missing in the slope"},
+      {Flawed::one_step_more, "there is one step more than asked for"}};
+  return all;
+}
+
+}  // namespace tests

@@ -1,0 +1,87 @@
+// What counts as an approach in step 7.6, and where there is nothing to stop or no way to do it.
+#include "catch.hpp"
+#include "impulses.hpp"
+#include "refused.hpp"
+
+using lab::multi_contact::Matrix;
+using lab::multi_contact::Vector;
+using tests::ContactSystem;
+using tests::eps;
+
+namespace {
+
+void expect_zone(const ContactSystem& system, const Vector& lambda, int rounds,
+                 const tests::Bound& bound, int index, int count) {
+  const tests::Trial trial = tests::projection_trial(system, index, count);
+  tests::expect_impulses(trial, tests::projected_by_answer(system, trial), {lambda, rounds, true},
+                         bound);
+}
+
+/// Two contacts of one ball with opposite walls, which open as fast as this.
+ContactSystem squeezed(double left, double right) {
+  return {Matrix{{1.0, -1.0}, {-1.0, 1.0}}, Vector{{left, right}}};
+}
+
+}  // namespace
+
+TEST_CASE("A contact joins a zone if it comes at 1e-12 of the largest speed", "[7.6]") {
+  int index = 0;
+  for (const double size : {1.0, 1e-6, 1e6}) {
+    for (const double part : {0.5e-12, 0.999e-12, 1.001e-12, 2e-12, 1e-9, 1e-4}) {
+      // Contacts that know nothing of each other; the other one parts.
+      const double u = -part * size;
+      const bool comes = part > 1e-12;
+      expect_zone({Matrix::Identity(2, 2), Vector{{size, u}}}, Vector{{0.0, comes ? -u : 0.0}},
+                  comes ? 1 : 0, {8.0 * eps * -u, "u, and A is one"}, ++index, 21);
+    }
+  }
+  expect_zone({Matrix::Identity(2, 2), Vector{{-1.0, -0.9e-12}}}, Vector{{1.0, 0.0}}, 1,
+              {8.0 * eps, "u, and A is one"}, ++index, 21);
+  // The first two go down to 1/2, and to rest. The last one comes at 0.7e-12, then at 0.93e-12.
+  const ContactSystem calming{Matrix{{2.0, -1.0, -1.4e-12}, {-1.0, 2.0, 0.0}, {-1.4e-12, 0.0, 1.0}},
+                              Vector{{-1.0, 0.0, 0.0}}};
+  expect_zone(calming, Vector{{2.0, 1.0, 0.0}} / 3.0, 2, tests::of_solutions(1, 1.0), ++index, 21);
+  // The same, and it comes at 1.4e-12 in the end.
+  const ContactSystem late{Matrix{{2.0, -1.0, -2.1e-12}, {-1.0, 2.0, 0.0}, {-2.1e-12, 0.0, 1.0}},
+                           Vector{{-1.0, 0.0, 0.0}}};
+  expect_zone(late, Vector{{2.0, 1.0, 4.2e-12}} / 3.0, 2, tests::of_solutions(1, 1.0), ++index, 21);
+}
+
+TEST_CASE("What rests or parts is not stopped", "[7.6]") {
+  int index = 0;
+  for (const Vector& v : {Vector{{0.0, 0.0, 0.5, 2.0}}, Vector{{1.0, 1.0, 1.0, 1.0}}}) {
+    expect_zone(tests::cradle(v).system(), Vector::Zero(3), 0, tests::exact, ++index, 3);
+  }
+  expect_zone({Matrix(0, 0), Vector(0)}, Vector(0), 0, tests::exact, ++index, 3);
+}
+
+TEST_CASE("Walls that close in on a body cannot be stopped", "[7.6]") {
+  int index = 0;
+  for (const ContactSystem& system : {squeezed(-1.0, -1.0), squeezed(-3.0, 1.0)}) {
+    tests::projection_trial(system, ++index, 2)
+        .expect_throw<std::domain_error>(
+            [&] { return lab::multi_contact::inelastic_projection(system).lambda; },
+            "the walls come, and no impulses stop both contacts");
+  }
+}
+
+TEST_CASE("The least and the most masses and speeds are stopped alike", "[7.6]") {
+  int index = 0;
+  const ContactSystem system = tests::cradle(Vector{{1.0, 0.0, 0.0}}).system();
+  for (const auto& [yields, speed] : {std::pair{1.0, 1e50},
+                                      {1.0, 1e-50},
+                                      {1e99, 1e99},
+                                      {1e99, 1e49},
+                                      {1e-99, 1e-49},
+                                      {1e-50, 1e-50}}) {
+    const double size = speed / yields;
+    expect_zone({yields * system.A, speed * system.u}, Vector{{2.0, 1.0}} * (size / 3.0), 2,
+                tests::of_solutions(1, size), ++index, 6);
+  }
+}
+
+TEST_CASE("A zone of bad input is refused", "[7.6]") {
+  tests::refuse_systems("7.6 inelastic_projection", [](const ContactSystem& bad) {
+    return lab::multi_contact::inelastic_projection(bad).lambda;
+  });
+}

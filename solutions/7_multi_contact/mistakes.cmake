@@ -21,7 +21,7 @@ add_mutant(${lab} coupling_sign 7.1
 add_mutant(${lab} coupling_unsigned 7.1
   "system.A(i, j) += body.inverse_mass * n_i.dot(n_j);
         system.A(i, j) += turn_i.dot(body.inverse_inertia * turn_j);"
-  "const double sign = (k == contacts[i].a) == (k == contacts[j].a) ? 1.0 : -1.0;
+  "const double sign = (k == at(contacts, i).a) == (k == at(contacts, j).a) ? 1.0 : -1.0;
         system.A(i, j) += sign * body.inverse_mass * n_i.dot(n_j);
         system.A(i, j) += sign * turn_i.dot(body.inverse_inertia * turn_j);"
   "a of one contact and b of the other")
@@ -38,24 +38,24 @@ add_mutant(${lab} spins_not_in_u 7.1
 add_mutant(${lab} particles 7.1
   "turn_i.dot(body.angular_velocity);
       for (int j = 0; j < m; ++j) {
-        const auto [n_j, turn_j] = row_part(contacts[j], k, body.position);
+        const auto [n_j, turn_j] = row_part(at(contacts, j), k, body.position);
         system.A(i, j) += body.inverse_mass * n_i.dot(n_j);
         system.A(i, j) += turn_i.dot(body.inverse_inertia * turn_j);"
   "0.0;
       for (int j = 0; j < m; ++j) {
-        const auto [n_j, turn_j] = row_part(contacts[j], k, body.position);
+        const auto [n_j, turn_j] = row_part(at(contacts, j), k, body.position);
         system.A(i, j) += body.inverse_mass * n_i.dot(n_j);" "left out, in A and in u")
 
 # Points are measured from the world's origin.
 add_mutant(${lab} levers_from_the_origin 7.1
-  "const auto [n_i, turn_i] = row_part(contacts[i], k, body.position);
+  "const auto [n_i, turn_i] = row_part(at(contacts, i), k, body.position);
       system.u[i] += n_i.dot(body.velocity) + turn_i.dot(body.angular_velocity);
       for (int j = 0; j < m; ++j) {
-        const auto [n_j, turn_j] = row_part(contacts[j], k, body.position);"
-  "const auto [n_i, turn_i] = row_part(contacts[i], k, Vec3::Zero());
+        const auto [n_j, turn_j] = row_part(at(contacts, j), k, body.position);"
+  "const auto [n_i, turn_i] = row_part(at(contacts, i), k, Vec3::Zero());
       system.u[i] += n_i.dot(body.velocity) + turn_i.dot(body.angular_velocity);
       for (int j = 0; j < m; ++j) {
-        const auto [n_j, turn_j] = row_part(contacts[j], k, Vec3::Zero());" "world's origin")
+        const auto [n_j, turn_j] = row_part(at(contacts, j), k, Vec3::Zero());" "world's origin")
 
 # All masses are believed to be alike.
 add_mutant(${lab} W_forgotten 7.1
@@ -71,11 +71,11 @@ add_mutant(${lab} inverse_inertias_forgotten 7.1
 # The first body is believed to stand fast.
 add_mutant(${lab} A_of_b_alone 7.1
   "for (int j = 0; j < m; ++j) {"
-  "if (k == contacts[i].a) continue;
+  "if (k == at(contacts, i).a) continue;
       for (int j = 0; j < m; ++j) {" "a's part of A is missing")
 add_mutant(${lab} u_of_b_alone 7.1
   "system.u[i] += n_i.dot(body.velocity)"
-  "if (k == contacts[i].b)
+  "if (k == at(contacts, i).b)
         system.u[i] += n_i.dot(body.velocity)" "a's velocity is missing")
 
 # u is believed to be how fast a contact closes.
@@ -87,7 +87,7 @@ add_mutant(${lab} u_closes 7.1
 # Speeds are believed to add up at a contact.
 add_mutant(${lab} u_adds_up 7.1
   "system.u[i] += n_i.dot(body.velocity) + turn_i.dot(body.angular_velocity);"
-  "system.u[i] += (k == contacts[i].a ? -1.0 : 1.0) *
+  "system.u[i] += (k == at(contacts, i).a ? -1.0 : 1.0) *
                      (n_i.dot(body.velocity) + turn_i.dot(body.angular_velocity));"
   "two velocities are added")
 
@@ -107,13 +107,13 @@ add_mutant(${lab} bodies_unchecked 7.1
 
 # The impulse is believed to act on b.
 add_mutant(${lab} impulse_on_b_alone 7.1
-  "for (int k : {contacts[i].a, contacts[i].b}) {  // eq. (2)" "for (int k : {contacts[i].b}) {"
+  "for (int k : {at(contacts, i).a, at(contacts, i).b}) {  // eq. (2)" "for (int k : {at(contacts, i).b}) {"
   "the impulse on body a is missing: give it -lambda n")
 
 # Both bodies are believed to be pushed alike.
 add_mutant(${lab} same_impulse_on_both 7.1
-  "const auto [n, turn] = row_part(contacts[i], k, body.position);"
-  "const Contact as_b{-1, k, contacts[i].point, contacts[i].normal};
+  "const auto [n, turn] = row_part(at(contacts, i), k, body.position);"
+  "const Contact as_b{-1, k, at(contacts, i).point, at(contacts, i).normal};
       const auto [n, turn] = row_part(as_b, k, body.position);" "both bodies get lambda n")
 
 # A change of velocity is taken for an impulse.
@@ -129,24 +129,24 @@ add_mutant(${lab} torque_without_inertia 7.1
 
 # Each impulse is believed to act on the bodies as they were.
 add_mutant(${lab} last_impulse_alone 7.1
-  "RigidBody& body = next[k];" "RigidBody& body = next[k] = bodies[k];" "of its last contact only")
+  "RigidBody& body = at(next, k);" "RigidBody& body = at(next, k) = at(bodies, k);" "of its last contact only")
 
 # Impulses are believed to push.
 add_mutant(${lab} pulling_left_out 7.1
-  "for (int k : {contacts[i].a, contacts[i].b}) {  // eq. (2)"
+  "for (int k : {at(contacts, i).a, at(contacts, i).b}) {  // eq. (2)"
   "if (lambda[i] < 0.0) continue;
-    for (int k : {contacts[i].a, contacts[i].b}) {" "may have either sign")
+    for (int k : {at(contacts, i).a, at(contacts, i).b}) {" "may have either sign")
 
 # An impulse is believed to work with the speed afterwards, or before.
 add_mutant(${lab} work_at_the_end 7.1
-  "0.5 * lambda.dot(common::product(A, lambda))" "lambda.dot(common::product(A, lambda))"
+  "0.5 * common::product(system.A, lambda)" "common::product(system.A, lambda)"
   "the half is missing")
 add_mutant(${lab} work_at_the_start 7.1
-  "lambda.dot(u) + 0.5 * lambda.dot(common::product(A, lambda))" "lambda.dot(u)"
+  "lambda.dot(system.u + 0.5 * common::product(system.A, lambda))" "lambda.dot(system.u)"
   "u is that before the impulses")
 add_mutant(${lab} work_halved 7.1
-  "lambda.dot(u) + 0.5 * lambda.dot(common::product(A, lambda))"
-  "0.5 * (lambda.dot(u) + lambda.dot(common::product(A, lambda)))" "all of it is halved")
+  "lambda.dot(system.u + 0.5 * common::product(system.A, lambda))"
+  "0.5 * lambda.dot(system.u + common::product(system.A, lambda))" "all of it is halved")
 
 # ---- 7.2 ----
 

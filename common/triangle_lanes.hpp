@@ -17,7 +17,7 @@ class TriangleBatch {
                 TrianglesMeet triangles_meet)
       : a_(a), b_(b), a_from_b_(a_from_b), triangles_meet_(triangles_meet) {}
 
-  /// An entry of a and an entry of b.
+  /// Adds an entry of a and an entry of b.
   void add(std::uint32_t a, std::uint32_t b) {
     fetch(a_.entries()[a]);
     fetch(b_.entries()[b]);

@@ -70,7 +70,7 @@ struct WideIntersections {
   std::uint64_t triangle_tests = 0;    ///< pairs of triangles in the pairs of leaves it visited
 };
 
-/// Returns whether two triangles have a point in common, exactly.
+/// A function that returns whether two triangles have a point in common, exactly.
 using TrianglesMeet = bool (*)(const Triangle& a, const Triangle& b);
 
 /// Returns all pairs of triangles that meet: a against b, as it is or moved as by

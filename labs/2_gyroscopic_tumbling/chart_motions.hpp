@@ -10,7 +10,7 @@
 #include "gyroscopic_tumbling.hpp"
 #include "peers.hpp"
 
-/// The motions that the chart judges, and how the methods of the lab carry them on.
+/// The motions that the chart judges, and the ways in which the methods of the lab step them.
 namespace lab::gyroscopic_tumbling {
 
 inline constexpr double turn = 2.0 * std::numbers::pi;
@@ -20,7 +20,7 @@ inline constexpr HeavyTop heavy_top{1.25, 0.5, 9.81};
 struct Problem {
   Vec3 moments;
   Spin start;
-  double revolution;  ///< how long one takes [s]
+  double revolution;  ///< time of one revolution [s]
   std::function<Spin(double time)> exact;
 };
 
@@ -33,7 +33,8 @@ inline Problem free_problem(const Vec3& direction) {
   return {moments, start, 1.0, [exact](double time) { return exact.at(time); }};
 }
 
-/// Leant over by 30 degrees, its axis let go at rest; a revolution is one of its own spin.
+/// Returns a top that leans by 30 degrees, its axis let go at rest. A revolution is one of its own
+/// spin.
 inline Problem top_problem() {
   const double speed = 30.0;
   const Spin start{Quat(Eigen::AngleAxisd(std::numbers::pi / 6.0, Vec3::UnitY())),
@@ -56,7 +57,7 @@ struct Stepping {
 template <typename Step>
 Stepping(Spin, Step) -> Stepping<Step>;
 
-/// The loop of step 2.2 with its own state, under the weight and what holds the fixed point.
+/// The loop of step 2.2 with its own state, under the weight and the force at the fixed point.
 struct Loop {
   RigidBody body;
   RigidBodyState state;
@@ -81,7 +82,7 @@ struct Loop {
   }
 };
 
-/// A body in another engine's world, under the weight's torque.
+/// A body in another engine's world, under the torque of the weight.
 struct PeerMotion {
   std::shared_ptr<PeerBody> body = nullptr;
   double weight_moment = 0.0;
@@ -93,7 +94,7 @@ struct PeerMotion {
   [[nodiscard]] Spin spin() const { return body->spin(); }
 };
 
-/// The motion under a step (moments, spin, dt) -> spin of the contract.
+/// Returns the motion by a step (moments, spin, dt) -> spin of the contract.
 template <typename Step>
 auto by(Step step) {
   return [step](const Problem& problem, double dt) {
@@ -125,15 +126,15 @@ inline auto exactly() {
   };
 }
 
-/// What the weight does to the angular velocity in half a step, as a matrix that is applied to the
-/// world's up in body axes. Not computed but seen, on the step of 2.6: from rest, in a moment too
-/// short for any drift, under a weight that is as much heavier.
+/// Returns the effect of the weight on the angular velocity in half a step, as a matrix that is
+/// applied to the world's up in body axes. It is not computed but observed in the step of 2.6: from
+/// rest, in a time too short for any drift, and under a weight that is larger by as much.
 inline Mat3 seen_half_kick(double dt) {
   constexpr double moment = 0x1p-80;  // [s]
   HeavyTop heavier = heavy_top;
   heavier.weight_moment *= 0.5 * dt / moment;
   const double half = std::sqrt(0.5);
-  // Attitudes with the world's up along the body's x, y and z.
+  // These are the attitudes with the world's up along the body's x, y and z.
   const Quat tilts[] = {{half, 0.0, -half, 0.0}, {half, half, 0.0, 0.0}, {1.0, 0.0, 0.0, 0.0}};
   Mat3 kick;
   for (int i = 0; i < 3; ++i) {
@@ -143,7 +144,7 @@ inline Mat3 seen_half_kick(double dt) {
   return kick;
 }
 
-/// A free step between two half kicks.
+/// Takes a free step between two half kicks.
 template <typename Step>
 auto between_kicks(Step free_step) {
   return [free_step](const Problem& problem, double dt) {
@@ -158,8 +159,8 @@ auto between_kicks(Step free_step) {
   };
 }
 
-/// Three steps whose errors of order three cancel, the middle one backwards (Suzuki 1990, Yoshida
-/// 1990).
+/// Takes three steps, the middle one backwards, whose errors of order three cancel (Suzuki 1990,
+/// Yoshida 1990).
 inline auto by_triple_jump() {
   return [](const Problem& problem, double dt) {
     return Stepping{problem.start, [dt](const Spin& spin) {

@@ -16,13 +16,13 @@ inline constexpr int steps_a_path = 2;
 
 struct Crossing {
   StraightPath path;
-  double entry;   ///< when it comes to touch [s]
+  double entry;   ///< time of first contact [s]
   double weight;  ///< its share of all crossings
 };
 
-/// Borders of strata of crossings by their half chord u, in units of ρ, falling: at equal distances
-/// b = √(1 − u²) from the axis down to u = 1/2, and from there at equal ratios, so that the short
-/// chords, which alone are missed by short steps, are well represented.
+/// Returns borders of strata of crossings by their half chord u, in units of ρ, falling. They are
+/// at equal distances b = √(1 − u²) from the axis down to u = 1/2, and from there at equal ratios.
+/// So the short chords, which are the only ones that short steps miss, are well represented.
 inline std::vector<double> half_chords() {
   constexpr int deep = 64;
   constexpr int an_octave = 16;
@@ -37,8 +37,8 @@ inline std::vector<double> half_chords() {
   return borders;
 }
 
-/// Crossings at a speed that steps `diameters` diameters of the cylinder in a second. A stratum
-/// weighs as much of the distance from the axis as it holds.
+/// Returns crossings at a speed that steps `diameters` diameters of the cylinder in a second. The
+/// weight of a stratum is the share of the distance from the axis that it covers.
 inline std::vector<Crossing> crossings(double diameters) {
   constexpr int phases = 25;                     // odd: even, too, at 2, 4, 8 … samples a step
   constexpr double golden = 0.6180339887498949;  // and others in each stratum
@@ -62,10 +62,10 @@ inline std::vector<Crossing> crossings(double diameters) {
   return all;
 }
 
-/// What samples find of crossings.
+/// The result of sampling the crossings.
 struct Findings {
   struct Found {
-    double lateness;  ///< [s], which are steps
+    double lateness;  ///< [s], that is, in steps
     double weight;
   };
   double missed = 0.0;       ///< share of all crossings

@@ -8,14 +8,14 @@
 
 #include "chart_crossings.hpp"
 
-/// Equilateral triangles that lie anywhere about the cylinder, turned anyhow, and what of those
-/// inside goes unseen by a check of less than the triangle.
+/// Equilateral triangles at any place around the cylinder and in any attitude, and the share of
+/// those inside that a check of less than the triangle does not see.
 namespace lab::discrete_particle_cylinder {
 
 using Triangle = std::array<Vec3, 3>;
 
-/// Triangles of one edge length, in a sequence that fills their five coordinates evenly (Roberts
-/// 2018, a lattice by the root of g⁶ = g + 1): the angles of the turn and the place of the centre.
+/// Triangles of one edge length. Their five coordinates, the angles of the turn and the place of
+/// the centre, fill space evenly (Roberts 2018, a lattice by the root of g⁶ = g + 1).
 class Triangles {
  public:
   explicit Triangles(double edge_length)
@@ -54,16 +54,16 @@ class Triangles {
   }
 
   double edge_length_;
-  double spread_;  ///< further off than this a centre's triangle cannot touch
+  double spread_;  ///< if its centre is further off, a triangle cannot touch
 };
 
-/// Of all triangles inside, those that a check does not see.
+/// The triangles inside that a check does not see.
 struct Unseen {
   double share = 0.0;
   double deepest = 0.0;  ///< how far such a triangle reaches in [m]
 };
 
-/// `sees` is the check of a triangle.
+/// Applies the check `sees` to the triangles.
 template <typename Sees>
 Unseen unseen(double edge_length, const Sees& sees) {
   constexpr std::uint32_t count = 100000;
@@ -83,7 +83,7 @@ Unseen unseen(double edge_length, const Sees& sees) {
   return result;
 }
 
-/// A particle of the triangle is closer than `margin`.
+/// Returns whether a particle of the triangle is closer than `margin`.
 inline bool particles_see(const Triangle& triangle, double margin) {
   return std::any_of(triangle.begin(), triangle.end(), [=](const Vec3& corner) {
     return gap(corner, particle_radius, cylinder) <= margin;
@@ -97,10 +97,10 @@ inline bool edges_see(const Triangle& triangle) {
          edge_gap(c, a, particle_radius, cylinder).gap <= 0.0;
 }
 
-/// What a check of the particles does not see. Share: per edge, whose mean projected cube is
-/// 3π/16 h³, a sliver of h³/24ρ lies outside its two corners' discs; this over the area in which a
-/// centre's triangle touches; for short edges. Depth: of an edge whose ends touch; from √3 ρ on the
-/// axis goes through a triangle whose corners are outside.
+/// Returns the theory of what a check of the particles does not see, for short edges. Share: for
+/// each edge, whose mean projected cube is 3π/16 h³, a sliver of h³/24ρ is outside its two corners'
+/// discs; divide by the area in which a centre's triangle touches. Depth: that of an edge whose
+/// ends touch; from √3 ρ on the axis goes through a triangle whose corners are outside.
 inline Unseen unseen_by_particles_in_theory(double h) {
   constexpr double pi = std::numbers::pi;
   const double slivers = 3.0 * (3.0 * pi / 16.0) * h * h * h / (24.0 * reach);

@@ -4,15 +4,15 @@
 
 #include "discrete_particle_cylinder.hpp"
 
-/// The cloth of the scene: a mass-spring sheet, carried on by positions (Müller et al. 2007).
+/// The cloth of the scene: a mass-spring sheet, stepped by positions (Müller et al. 2007).
 namespace lab::discrete_particle_cylinder {
 
 inline constexpr double skin = 0.001;  ///< contacts are held this far apart [m]
 
-/// Moves a sheet out of the cylinder; called within every step.
+/// A function that moves a sheet out of the cylinder. It is called within every step.
 using PushOut = std::function<void(Sheet& sheet, const Cylinder& cylinder)>;
 
-/// Each particle that is inside goes back along the gradient.
+/// Moves each particle that is inside back along the gradient.
 inline void push_particles_out(Sheet& sheet, const Cylinder& cylinder) {
   for (Vec3& position : sheet.positions) {
     const double depth = skin - gap(position, sheet.particle_radius, cylinder);
@@ -20,9 +20,9 @@ inline void push_particles_out(Sheet& sheet, const Cylinder& cylinder) {
   }
 }
 
-/// Each triangle's deepest place goes back along the gradient, its corners by their weights there.
+/// Moves each triangle's deepest place back along the gradient, its corners by their weights there.
 inline void push_triangles_out(Sheet& sheet, const Cylinder& cylinder) {
-  constexpr int passes = 20;  // a push may leave a neighbour inside
+  constexpr int passes = 20;  // a push may move a neighbour inside
   bool is_inside = true;
   for (int pass = 0; pass < passes && is_inside; ++pass) {
     is_inside = false;
@@ -43,14 +43,14 @@ inline void push_triangles_out(Sheet& sheet, const Cylinder& cylinder) {
   }
 }
 
-/// A rectangle of cells, each cut into two triangles.
+/// A rectangle of cells, each divided into two triangles.
 struct FallingSheet {
   int rows;
   int columns;
   Sheet sheet;
   std::vector<Vec3> velocities;
 
-  /// Level, about `center`, turned about the vertical by `angle` [rad].
+  /// Makes a level sheet about `center`, turned about the vertical by `angle` [rad].
   FallingSheet(int row_count, int column_count, double spacing, const Vec3& center, double angle)
       : rows(row_count), columns(column_count) {
     const common::Mat3 turn = Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
@@ -67,7 +67,7 @@ struct FallingSheet {
     for (const auto& [a, b] : sheet.edges) rest_lengths_.push_back(length(a, b));
   }
 
-  /// Weight and air, then the edges' lengths and the contacts in turn, until both about hold.
+  /// Applies weight and air, then edge lengths and contacts in turn, until both about hold.
   void step(double dt, const Cylinder& cylinder, const PushOut& push_out) {
     constexpr double drag = 3.0;  // [1/s]
     constexpr int turns = 8;

@@ -7,7 +7,7 @@
 #include "common/if_written.hpp"
 #include "falling_sheet.hpp"
 
-/// What moves in the scene, and what the student's functions find of it.
+/// The motions of the scene, and what the student's functions find in them.
 namespace lab::discrete_particle_cylinder {
 
 inline constexpr double duration = 3.2;
@@ -19,7 +19,7 @@ inline constexpr int rows = 9;
 inline constexpr int columns = 4;
 inline constexpr double spacing = 0.3;
 
-/// What a sheet is at a moment.
+/// The state of a sheet at a moment.
 struct Moment {
   Sheet sheet;
   std::vector<std::size_t> sunk;  ///< edges that reach into the cylinder
@@ -68,7 +68,7 @@ inline constexpr double height = 0.8 * reach;  // above the axis: the chord is t
 inline constexpr double chord = 1.2 * reach;
 inline constexpr double sample_distance = 1.5 * chord;
 
-/// One lane beside the other, their starts spread evenly over the distance of two samples.
+/// Returns lanes side by side. Their starts are spread evenly over the distance of two samples.
 inline std::optional<std::vector<Shot>> shots(std::vector<std::string>& missing) {
   return common::if_written(missing, [&] {
     std::vector<Shot> all;

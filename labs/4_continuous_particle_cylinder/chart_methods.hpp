@@ -5,17 +5,17 @@
 
 #include "chart_sets.hpp"
 
-/// The methods that the charts set beside the lab's: samples, bisection, and advancement of an
-/// edge.
+/// The methods that the charts compare with the lab's: samples, bisection, an edge's advancement.
 namespace lab::continuous_particle_cylinder {
 
-/// A time of impact, and how often the gap was evaluated.
+/// A time of impact, and the number of evaluations of the gap.
 struct Found {
   std::optional<double> time;
   double evaluations = 0.0;
 };
 
-/// The first sampled contact of a motion whose gap is `gap_at`; with its number in `evaluations`.
+/// Returns the first sampled contact of a motion whose gap is `gap_at`, with its number in
+/// `evaluations`.
 template <typename GapAt>
 Found first_sample(const GapAt& gap_at, double samples) {
   const int count = static_cast<int>(samples);

@@ -6,8 +6,8 @@
 #include "common/exact_number.hpp"
 #include "continuous_particle_cylinder.hpp"
 
-/// Times of impact to some 30 digits, by other ways than the lab's: the expanded quadratic in exact
-/// numbers, and the gap of the edge's inside bisected in double-double.
+/// Times of impact with about 30 digits, by other methods than the lab's: the expanded quadratic in
+/// exact numbers, and bisection of the gap of the edge's inside in double-double.
 namespace lab::continuous_particle_cylinder {
 
 using common::DoubleDouble;
@@ -32,8 +32,8 @@ inline std::optional<DoubleDouble> reference_time(const MovingParticle& particle
   return time;
 }
 
-/// The gap of the line through an edge: of the edge itself, where the line's nearest point to the
-/// axis lies between its ends.
+/// Returns the gap of the line through an edge. It is the gap of the edge itself if the line's
+/// nearest point to the axis is between its ends.
 inline DoubleDouble gap_of_line(const MovingEdge& edge, const Cylinder& cylinder,
                                 const DoubleDouble& time) {
   const DoubleDouble a_y = edge.a.y() + time * edge.velocity_a.y();
@@ -48,8 +48,8 @@ inline DoubleDouble gap_of_line(const MovingEdge& edge, const Cylinder& cylinder
   return (distance.high < 0.0 ? -distance : distance) - rho;
 }
 
-/// The impact of an edge whose line comes nearer from `before`, where it is apart, to `after`,
-/// where it is inside.
+/// Returns the impact of an edge whose line comes nearer from `before`, at which it is apart, to
+/// `after`, at which it is inside.
 inline DoubleDouble reference_time(const MovingEdge& edge, const Cylinder& cylinder, double before,
                                    double after) {
   DoubleDouble low(before);

@@ -10,7 +10,7 @@
 
 #include "chart_reference.hpp"
 
-/// What the charts judge on: motions of a second with their times of impact.
+/// The sets on which the charts judge: motions of a second with their times of impact.
 namespace lab::continuous_particle_cylinder {
 
 inline constexpr Cylinder cylinder{0.95};
@@ -25,7 +25,7 @@ struct Case {
   std::optional<DoubleDouble> time;
 };
 
-/// The same numbers on every machine.
+/// Random numbers that are the same on every machine.
 class Dice {
  public:
   double between(double low, double high) {
@@ -38,7 +38,8 @@ class Dice {
 
 inline Vec3 in_plane(double angle) { return {0.0, std::cos(angle), std::sin(angle)}; }
 
-/// Particles that come from up to `distance` away; a tenth pass by, at a fiftieth of ρ or more.
+/// Returns particles that come from up to `distance` away. A tenth of them pass by, at a fiftieth
+/// of ρ or more.
 inline std::vector<Case<MovingParticle>> particles(double least_distance, double distance) {
   constexpr int count = 500;
   Dice dice;
@@ -57,8 +58,8 @@ inline std::vector<Case<MovingParticle>> particles(double least_distance, double
   return all;
 }
 
-/// Long edges that sweep across the cylinder, their ends passing by on both sides; a tenth slide
-/// past on one side.
+/// Returns long edges that sweep across the cylinder while their ends pass by on both sides. A
+/// tenth of them slide past on one side.
 inline std::vector<Case<MovingEdge>> edges() {
   constexpr int count = 200;
   Dice dice;

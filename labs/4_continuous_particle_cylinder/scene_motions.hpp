@@ -10,17 +10,17 @@
 #include "common/if_written.hpp"
 #include "continuous_particle_cylinder.hpp"
 
-/// What moves in the scene, and what the ways of looking find of it.
+/// The motions of the scene, and what each method finds in them.
 namespace lab::continuous_particle_cylinder {
 
 inline constexpr double flight = 2.2;  ///< dt [s]
 inline constexpr int samples = 2;
 inline constexpr double speed = 1.0;  ///< [m/s]
 inline constexpr Cylinder cylinder{0.5};
-inline constexpr double bullet_radius = 5.0 / 64.0;  ///< an exact sum with R, so that one grazes
+inline constexpr double bullet_radius = 5.0 / 64.0;  ///< its sum with R is exact, so one grazes
 inline constexpr double reach = cylinder.radius + bullet_radius;
 
-/// How far from the axis a bullet passes, in reaches, and where it starts.
+/// The distance from the axis at which a bullet passes, in reaches, and the place of its start.
 struct Lane {
   double offset;
   double height;  ///< [m]
@@ -44,13 +44,13 @@ inline Vec3 position_at(const MovingParticle& particle, double time) {
   return particle.position + time * particle.velocity;
 }
 
-/// A bullet as one way of looking sees it.
+/// A bullet as one method sees it.
 struct Shot {
   MovingParticle particle;
   std::optional<ParticleContact> contact;
 };
 
-/// One way of looking, and where its cylinder stands in the picture.
+/// One method, and the place of its cylinder in the picture.
 struct Group {
   const char* name;
   double shift;
@@ -88,7 +88,7 @@ inline MovingEdge falling_edge() {
   return {{0.0, -0.75, 1.55}, {0.0, 0.75, 1.1}, {0.0, 0.0, -1.1}, {0.0, 0.0, -0.8}, bullet_radius};
 }
 
-/// The edge's impact, at the place of it that is nearest to the axis, and what its ends see.
+/// The edge's impact, at its place that is nearest to the axis, and what its ends see.
 struct EdgeImpact {
   std::optional<ParticleContact> contact;
   bool has_end_contact = false;

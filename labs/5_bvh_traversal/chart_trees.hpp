@@ -13,8 +13,8 @@
 #include "common/wide_bvh.hpp"
 #include "peers.hpp"
 
-/// The ways to find all pairs that the chart compares: each builds its trees and returns what asks
-/// them.
+/// The methods to find all pairs that the chart compares. Each builds its trees and returns a
+/// function that queries them.
 namespace lab::bvh_traversal {
 
 using Ask = std::function<Intersections()>;
@@ -22,7 +22,7 @@ using Build = std::function<Ask(const ShapePair&)>;
 
 inline bool is_at_rest(const ShapePair& shapes) { return shapes.a_from_b.rotation.isIdentity(0.0); }
 
-/// Adds the pairs of two leaves: all that the searches below differ in comes before.
+/// Adds the pairs of two leaves. The searches below differ only in what comes before that.
 inline void add_leaf_pair(const Bvh& a, const BvhNode& leaf_a, const Bvh& b, const BvhNode& leaf_b,
                           Intersections& found) {
   found.triangle_tests += std::uint64_t{leaf_a.count} * leaf_b.count;
@@ -53,7 +53,7 @@ inline Ask brute_force(const ShapePair& shapes) {
   };
 }
 
-/// The answer's own query.
+/// Runs the answer's own query.
 inline Ask asked(Bvh a, Bvh b, const ShapePair& shapes) {
   const auto trees = std::make_shared<const std::pair<Bvh, Bvh>>(std::move(a), std::move(b));
   return [trees, rest = is_at_rest(shapes), pose = shapes.a_from_b] {
@@ -76,7 +76,7 @@ inline Build by_sah(int leaf_size) {
   };
 }
 
-/// The pairs of leaves at which the words of step 5.3 end; what else they end at is lost.
+/// Uses the pairs of leaves at which the pseudocode of step 5.3 ends; its other ends are lost.
 inline Ask as_first_written(const ShapePair& shapes) {
   constexpr int leaf_size = 8;
   const auto trees = std::make_shared<const std::pair<Bvh, Bvh>>(build_median(shapes.a, leaf_size),
@@ -94,7 +94,7 @@ inline Ask as_first_written(const ShapePair& shapes) {
   };
 }
 
-/// Its boxes rounded outward to floats, as trees of half the size would keep them.
+/// Rounds the tree's boxes outward to floats, as trees of half the size would store them.
 inline Bvh in_floats(Bvh bvh) {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   for (BvhNode& node : bvh.nodes) {
@@ -113,7 +113,7 @@ inline Ask in_float_boxes(const ShapePair& shapes) {
                shapes);
 }
 
-/// Eight children a node, tested at once.
+/// Uses eight children a node, tested at once.
 inline Ask by_eights(const ShapePair& shapes) {
   const auto trees = std::make_shared<const std::pair<common::WideBvh, common::WideBvh>>(
       common::WideBvh(shapes.a), common::WideBvh(shapes.b));
@@ -128,7 +128,7 @@ inline Ask by_eights(const ShapePair& shapes) {
   };
 }
 
-/// Its tree for the pose is made before anything is asked.
+/// Builds the peer's tree for the pose before the query.
 inline Build by_peer(const Peer& peer) {
   return [=](const ShapePair& shapes) -> Ask {
     const std::shared_ptr<PeerTrees> trees = peer.make(shapes.a, shapes.b);

@@ -12,11 +12,11 @@
 
 namespace lab::bvh_traversal {
 
-/// The OBJ files of a command line: "--mesh FILE" once or twice, at most.
+/// The OBJ files of a command line: "--mesh FILE" at most twice.
 struct OwnMeshes {
   std::vector<std::string> files;
 
-  /// Takes them off the arguments, so that others read the rest.
+  /// Removes them from the arguments, so that others can read the rest.
   void take_from(int& argc, char** argv) {
     int kept = 0;
     for (int i = 0; i < argc; ++i) {
@@ -36,9 +36,9 @@ struct OwnMeshes {
     return std::filesystem::path(file(i)).filename().string();
   }
 
-  /// The i-th of two (the one, where there is one), moved and scaled so that the sphere around its
-  /// box has its centre in the origin and this radius [m]. Throws where it cannot be read, or is a
-  /// point.
+  /// Returns the i-th of two meshes (or the only one). It is moved and scaled so that the sphere
+  /// around its box has its centre in the origin and this radius [m]. Throws if it cannot be read,
+  /// or if it is a point.
   [[nodiscard]] common::TriangleMesh fitted(std::size_t i, double radius) const {
     common::TriangleMesh mesh = common::read_obj(file(i));
     common::Vec3 low = mesh.vertices[mesh.triangles[0][0]];

@@ -10,7 +10,7 @@
 #include "common/attitude.hpp"
 #include "common/meshes.hpp"
 
-/// What moves in the scene, and which boxes of the trees are drawn.
+/// The motion of the scene, and the boxes of the trees that are drawn.
 namespace lab::bvh_traversal {
 
 inline constexpr double duration = 4.0;            ///< [s]
@@ -18,11 +18,11 @@ inline constexpr std::size_t triangles_of = 1936;  ///< a torus
 inline constexpr int leaf_size = 4;
 inline constexpr int drawn_level = 5;
 
-/// How far a's middle is from the world's, and b's on the other side [m]: they change sides at a
-/// constant speed.
+/// Returns the distance of a's middle from the world's, and of b's on the other side [m]. They
+/// change sides at a constant speed.
 inline double way(double time) { return 1.3 * (2.0 * time / duration - 1.0); }
 
-/// The pose of a torus's frame in the world.
+/// Returns the pose of a torus's frame in the world.
 inline RigidTransform world_from_a(double time) {
   return {Mat3(common::exponential_map({0.35, 0.0, 0.0})), {way(time), 0.0, 0.0}};
 }
@@ -38,20 +38,20 @@ inline RigidTransform a_from_b(double time) {
   return {a_from_world * b.rotation, a_from_world * (b.translation - a.translation)};
 }
 
-/// The boxes of one level, and of leaves above it, and which of them each triangle is in. Of an
-/// answer's tree, which may be wrong: what leads out of it is left out.
+/// The boxes of one level, and of leaves above it, and the box that each triangle is in. The tree
+/// is an answer's and may be wrong, so everything that leads out of it is left out.
 struct Level {
   std::vector<Box> boxes;
   std::vector<std::size_t> box_of_triangle;  ///< boxes.size() for one that no leaf has
 };
 
-/// Per node: its depth, or -1 where no parent leads to it, and the drawn box that it is in.
+/// For each node: its depth, or -1 if no parent leads to it, and the drawn box that it is in.
 struct Place {
   int depth = -1;
   std::size_t box = 0;
 };
 
-/// Children stand behind their parent, so a pass from front to back knows all parents.
+/// Children come after their parent, so a pass from front to back knows all parents.
 inline std::vector<Place> places_of(const Bvh& bvh, std::vector<Box>& boxes) {
   std::vector<Place> places(bvh.nodes.size());
   if (!places.empty()) places[0].depth = 0;

@@ -7,7 +7,7 @@
 
 #include "impulse_response.hpp"
 
-/// The chart's motions, and where exact mechanics would have them.
+/// The chart's motions, and their exact results by mechanics.
 namespace lab::impulse_response {
 
 inline constexpr double weight = 9.81;  // g [m/s²]
@@ -42,14 +42,14 @@ inline auto by_impacts(int max_impacts) {
   };
 }
 
-// Letting go.
+// A particle that leaves the cylinder.
 
 inline constexpr double radius = 1.0;
 inline constexpr double first_start = 0.1;  // from the top [rad]
-inline constexpr int starts = 8;            // evenly, so that no luck of the last step shows
+inline constexpr int starts = 8;            // evenly spread: luck in the last step must not show
 inline constexpr double start_speed = 1.0;
 
-/// ½ v² = ½ v₀² + g R (cos θ₀ − cos θ), and it leaves where v² = g R cos θ.
+/// Uses ½ v² = ½ v₀² + g R (cos θ₀ − cos θ). The particle leaves when v² = g R cos θ.
 inline double exact_departure(double start_angle) {
   return std::acos(2.0 / 3.0 * std::cos(start_angle) +
                    start_speed * start_speed / (3.0 * weight * radius));
@@ -61,7 +61,7 @@ inline double angle_of(const Particle& particle) {
 
 enum class Departure { last_contact, last_impulse };
 
-/// Slides without friction until it is outside for good.
+/// Lets it slide without friction until it is outside for good.
 template <typename Advance>
 Outcome slide(const Advance& advance, Departure departure, double start_angle, double dt) {
   const Obstacle cylinder = common::Cylinder{radius};
@@ -84,7 +84,7 @@ Outcome slide(const Advance& advance, Departure departure, double start_angle, d
   return outcome;
 }
 
-/// The largest error of all starts.
+/// Returns the largest error of all starts.
 template <typename Advance>
 auto letting_go(const Advance& advance, Departure departure) {
   return [=](double dt) {
@@ -98,13 +98,13 @@ auto letting_go(const Advance& advance, Departure departure) {
   };
 }
 
-// Bounces.
+// A ball that bounces.
 
 inline constexpr double height = 1.0;
 inline constexpr double restitution = 0.8;
 inline constexpr int bounces = 10;
 
-/// The fall takes √(2 h/g), the k-th flight 2 eᵏ v₀/g.
+/// The fall takes √(2 h/g), and the k-th flight takes 2 eᵏ v₀/g.
 inline std::vector<double> exact_bounces() {
   const double fall = std::sqrt(2.0 * height / weight);
   std::vector<double> times{fall};
@@ -143,12 +143,12 @@ auto bouncing(const Advance& advance) {
   };
 }
 
-// An incline.
+// A particle on an incline.
 
 inline constexpr double friction = 0.5;
 inline constexpr double sliding_time = 1.0;
 
-/// From rest, in the time: ½ g (sin θ − μ cos θ) t², or 0 where tan θ ≤ μ.
+/// Returns the way from rest in the time: ½ g (sin θ − μ cos θ) t², or 0 if tan θ ≤ μ.
 inline double exact_slide(double angle) {
   const double pull = std::sin(angle) - friction * std::cos(angle);
   return 0.5 * weight * std::max(0.0, pull) * sliding_time * sliding_time;

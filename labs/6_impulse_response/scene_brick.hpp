@@ -12,7 +12,7 @@
 #include "common/free_rotation.hpp"
 #include "scene_particles.hpp"
 
-/// The right of the scene: a brick that hits the cylinder, and between impacts is free.
+/// The right side of the scene: a brick that hits the cylinder, and flies freely between impacts.
 namespace lab::impulse_response {
 
 inline const Vec3 half_extents(0.6, 0.32, 0.2);
@@ -45,21 +45,21 @@ struct BrickFlight {
   }
 };
 
-/// The flight after an impact.
+/// Returns the flight after an impact.
 inline BrickFlight flight_of(double time, const RigidBody& body, const Mat3& R) {
   return {time,
           {body.position, body.velocity, gravity},
           {brick_moments(), {common::Quat(R), R.transpose() * body.angular_velocity}}};
 }
 
-/// Where the brick is nearest to something, and how near.
+/// The place at which the brick is nearest to something, and its distance.
 struct BrickContact {
   double gap = std::numeric_limits<double>::infinity();
   Contact contact;
   bool on_cylinder = false;
 };
 
-/// What of a segment is nearest to the x axis.
+/// Returns the point of a segment that is nearest to the x axis.
 inline Vec3 nearest_to_axis(const Vec3& a, const Vec3& b) {
   const Vec3 along = Vec3::UnitX().cross(b - a);  // turned by a right angle in the y-z plane
   const double length_squared = along.squaredNorm();
@@ -69,7 +69,7 @@ inline Vec3 nearest_to_axis(const Vec3& a, const Vec3& b) {
 }
 
 /// Along the axis the brick looks like a convex polygon. Its sides are edges of the brick, so an
-/// edge is what comes nearest to the axis; a corner is what comes nearest to the ground.
+/// edge is nearest to the axis, and a corner is nearest to the ground.
 inline BrickContact nearest_contact(const Vec3& position, const Mat3& R) {
   const auto corner = [&](int i) -> Vec3 {
     const Vec3 signs((i & 1) != 0 ? 1.0 : -1.0, (i & 2) != 0 ? 1.0 : -1.0,
@@ -109,8 +109,8 @@ struct Tumble {
   std::vector<BrickImpact> impacts;
   double first_energy_before = 0.0;  ///< at the first impact [J], kinetic
   double first_energy_after = 0.0;
-  double momentum_error = 0.0;  ///< largest share that an impact changes of the angular momentum
-                                ///< about the contact: it should change nothing
+  double momentum_error = 0.0;  ///< largest share by which an impact changes the angular momentum
+                                ///< about the contact, which it should not change
   double deepest = 0.0;         ///< by which the brick is inside at a step's end [m]
 };
 
@@ -125,7 +125,7 @@ inline Vec3 momentum_about(const RigidBody& body, const Vec3& point) {
          body.inverse_inertia.inverse() * body.angular_velocity;
 }
 
-/// What the brick is after an impact at a time, by the contract's functions.
+/// Returns the brick after an impact at a time, by the contract's functions.
 inline BrickFlight hit(const BrickFlight& flight, double time, Tumble& tumble) {
   RigidBody immovable;
   immovable.inverse_mass = 0.0;
@@ -147,7 +147,7 @@ inline BrickFlight hit(const BrickFlight& flight, double time, Tumble& tumble) {
   return flight_of(time, after, R);
 }
 
-/// The time of impact between two times, outside at the first and inside at the second.
+/// Returns the time of impact between two times, outside at the first and inside at the second.
 inline double bisected(const BrickFlight& flight, double outside, double inside) {
   for (int i = 0; i < 40; ++i) {
     const double middle = 0.5 * (outside + inside);
@@ -158,7 +158,7 @@ inline double bisected(const BrickFlight& flight, double outside, double inside)
   return outside;
 }
 
-/// The brick falls, one corner first, beside the axis.
+/// Lets the brick fall, one corner first, beside the axis.
 inline BrickFlight brick_start() {
   const common::Quat leaning = common::Quat(Eigen::AngleAxisd(-0.5, Vec3::UnitY())) *
                                common::Quat(Eigen::AngleAxisd(0.25, Vec3::UnitX()));
@@ -168,9 +168,9 @@ inline BrickFlight brick_start() {
   return flight_of(0.0, body, leaning.toRotationMatrix());
 }
 
-/// Nothing, and an entry in `missing`, where an impulse is not written yet.
+/// Returns nothing, and adds an entry to `missing`, if an impulse is not written yet.
 inline std::optional<Tumble> tumbled(std::vector<std::string>& missing) {
-  constexpr int substeps = 40;  // a frame, of a millisecond
+  constexpr int substeps = 40;  // for each frame, of a millisecond
   return common::if_written(missing, [&] {
     Tumble tumble;
     BrickFlight flight = brick_start();

@@ -10,7 +10,7 @@
 #include "common/if_written.hpp"
 #include "impulse_response.hpp"
 
-/// The left of the scene: particles that pour on the cylinder, stepped by option 2.
+/// The left side of the scene: particles that pour on the cylinder, stepped by option 2.
 namespace lab::impulse_response {
 
 inline constexpr double duration = 3.2;
@@ -30,7 +30,7 @@ inline constexpr double dt = frame_time / steps_a_frame;
 /// A particle in a frame.
 struct Grain {
   Vec3 position;
-  double impulse;  ///< the largest of a step since the last frame [N s]
+  double impulse;  ///< the largest in a step since the last frame [N s]
 };
 
 /// The particles through the whole film.
@@ -40,7 +40,7 @@ struct Pour {
   double deepest = 0.0;  ///< by which a particle is inside at a step's end [m]
 };
 
-/// In the order of their release.
+/// Returns the particles in the order of their release.
 inline std::vector<Particle> poured_particles() {
   std::mt19937 engine(6);
   const auto from_to = [&](double low, double high) {  // the same on every platform
@@ -57,13 +57,13 @@ inline std::vector<Particle> poured_particles() {
   return particles;
 }
 
-/// What a particle can hit next.
+/// Returns the obstacle that a particle can hit next.
 inline Obstacle nearest_obstacle(const Vec3& position) {
   if (common::gap(cylinder, position) < common::gap(ground, position)) return cylinder;
   return ground;
 }
 
-/// One step of one particle; its impulse counts for the grain.
+/// Takes one step of one particle. Its impulse counts for the grain.
 inline void step(Particle& particle, Grain& grain, Pour& pour) {
   const Obstacle obstacle = nearest_obstacle(particle.position);
   const ProjectedStep next = step_by_projection(particle, obstacle, sand, gravity, dt);
@@ -73,7 +73,7 @@ inline void step(Particle& particle, Grain& grain, Pour& pour) {
   ++pour.steps;
 }
 
-/// Nothing, and an entry in `missing`, where the step is not written yet.
+/// Returns nothing, and adds an entry to `missing`, if the step is not written yet.
 inline std::optional<Pour> poured(std::vector<std::string>& missing) {
   std::vector<Particle> particles = poured_particles();
   const double released_a_second = particle_count / pouring;

@@ -1,5 +1,5 @@
-// Attitude error against computing time for a coning body: its angular velocity is given and sweeps
-// a cone once a second, and the attitude has a closed form.
+// This chart shows attitude error against computing time for a coning body. Its angular velocity is
+// given and sweeps a cone once a second, and its attitude has a closed form.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int turns = 10;
 constexpr int checkpoints_a_turn = 4;
-constexpr double no_attitude_is_further = 2.0;  // |R − R'| / √2 of two rotations is 2 at most
+constexpr double no_attitude_is_further = 2.0;  // |R − R'| / √2 of two rotations is at most 2
 
 common::ConingMotion coning_motion() {
   common::ConingMotion motion;
@@ -25,8 +25,8 @@ common::ConingMotion coning_motion() {
   return motion;
 }
 
-/// ω at equal steps through one turn of the cone, from `offset` of a step on. It is periodic, so
-/// the methods are timed without the cost of knowing ω.
+/// Returns ω at equal steps through one turn of the cone, beginning at `offset` of a step. It is
+/// periodic, so the methods are timed without the cost of computing ω.
 std::vector<Vec3> sampled_omega(int steps, double offset) {
   const common::ConingMotion motion = coning_motion();
   std::vector<Vec3> samples;
@@ -40,7 +40,7 @@ std::vector<Vec3> sampled_omega(int steps, double offset) {
 Mat3 matrix_from(const Mat3& R) { return R; }
 Mat3 matrix_from(const Quat& q) { return q.toRotationMatrix(); }
 
-/// The largest error at the checkpoints of all turns.
+/// Returns the largest error at the checkpoints of all turns.
 template <typename Attitude, typename Step>
 render::Judgement judge(const Step& step, int steps, double offset, Attitude attitude) {
   const common::ConingMotion motion = coning_motion();
@@ -56,8 +56,8 @@ render::Judgement judge(const Step& step, int steps, double offset, Attitude att
   return {std::min(largest, 1e300), static_cast<double>(steps), largest < no_attitude_is_further};
 }
 
-/// A method whose parameter is the number of steps a turn. A step maps an attitude, ω and dt to the
-/// next attitude; `offset` says where in a step ω is taken.
+/// Returns a method whose parameter is the number of steps a turn. A step maps an attitude, ω and
+/// dt to the next attitude. `offset` says at which part of a step ω is taken.
 template <typename Attitude, typename Step>
 render::Method method(const char* name, double order, render::Colour colour, double offset,
                       const Attitude& start, const Step& step) {
@@ -72,7 +72,7 @@ render::Method method(const char* name, double order, render::Colour colour, dou
     for (int turn = 0; turn < turns; ++turn) {
       for (const Vec3& now : omega) attitude = step(attitude, now, 1.0 / steps);
     }
-    volatile double kept = matrix_from(attitude)(0, 0);  // or the loop would be optimised away
+    volatile double kept = matrix_from(attitude)(0, 0);  // so that it is computed
     static_cast<void>(kept);
   };
   return result;

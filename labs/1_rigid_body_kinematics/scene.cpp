@@ -1,5 +1,5 @@
-// One angular velocity, two integrators: a box under the exponential map, and its twin under raw
-// Euler on R, which swells. A painted corner leaves its trail.
+// One angular velocity moves two boxes: one under the exponential map, and its twin under raw Euler
+// on R, which swells. A painted corner leaves its trail.
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -29,7 +29,7 @@ common::ConingMotion motion() {
   return coning;
 }
 
-/// The attitudes of one box, a matrix a step.
+/// The attitudes of one box, one matrix for each step.
 struct Track {
   std::string name;
   Vec3 center;
@@ -37,7 +37,8 @@ struct Track {
   std::vector<Mat3> world_from_body;
 };
 
-/// What a method makes of the motion; nothing, and an entry in `missing`, where it is not written.
+/// Returns the motion by a method. If the method is not written yet, returns nothing and adds an
+/// entry to `missing`.
 template <typename Attitude>
 std::optional<Track> tracked(Track track, Attitude attitude, double offset,
                              const std::function<Attitude(const Attitude&, const Vec3&)>& step,
@@ -53,7 +54,7 @@ std::optional<Track> tracked(Track track, Attitude attitude, double offset,
 
 std::size_t step_at(double time) { return static_cast<std::size_t>(std::lround(time / dt)); }
 
-/// A box, its painted corner with the trail so far, and ω.
+/// Draws a box, its painted corner with the trail so far, and ω.
 void add_box(render::Scene& scene, const Track& track, double time) {
   const std::size_t now = step_at(time);
   const render::Placement placement{track.center, track.world_from_body[now]};
@@ -73,7 +74,7 @@ void add_box(render::Scene& scene, const Track& track, double time) {
   scene.labels.push_back({Vec3(track.center.x() - 0.6, -1.1, 0.0), track.name, palette::ink, 24.0});
 }
 
-/// The foot of the strip: how far off each box is at the end.
+/// Returns the foot of the strip: the error of each box at the end.
 std::string measured(const std::vector<Track>& tracks) {
   std::string text;
   for (const Track& track : tracks) {

@@ -1,5 +1,6 @@
-// Attitude error against computing time over fifty revolutions, for a racket that turns over, a
-// body that tumbles and a heavy top; and energy and |L| of the tumble through ten minutes of 60 Hz.
+// These charts show attitude error against computing time over fifty revolutions, for a racket that
+// turns over, a body that tumbles and a heavy top. They also show energy and |L| of the tumble
+// through ten minutes of 60 Hz.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -18,7 +19,7 @@ namespace {
 constexpr int revolutions = 50;
 constexpr double nothing_is_known = 1.0;  // [rad]: an attitude this far off tells nothing
 
-/// The largest error at the ends of all revolutions.
+/// Returns the largest error at the ends of all revolutions.
 template <typename Start>
 render::Judgement judge(const Problem& problem, int steps, const Start& begun) {
   double largest = 0.0;
@@ -36,8 +37,8 @@ render::Judgement judge(const Problem& problem, int steps, const Start& begun) {
   return {largest, static_cast<double>(revolutions * steps), largest < nothing_is_known};
 }
 
-/// A method whose parameter is the number of steps a revolution. `begun` makes the motion at its
-/// start from a problem and dt; what it sets up is timed along with the steps.
+/// Returns a method whose parameter is the number of steps a revolution. `begun` makes the motion
+/// at its start from a problem and dt. Its preparations are timed along with the steps.
 template <typename Start>
 render::Method method(const char* name, double order, render::Colour colour, const Problem& problem,
                       const std::vector<double>& ladder, const Start& begun) {
@@ -47,13 +48,13 @@ render::Method method(const char* name, double order, render::Colour colour, con
     auto motion = begun(problem, problem.revolution / steps);
     const int total = revolutions * static_cast<int>(steps);
     for (int i = 0; i < total; ++i) motion.advance();
-    volatile double kept = motion.spin().world_from_body.w();  // or nothing would be computed
+    volatile double kept = motion.spin().world_from_body.w();  // so that it is computed
     static_cast<void>(kept);
   };
   return result;
 }
 
-/// Another engine on the same motion, its world made before the clock starts.
+/// Runs another engine on the same motion. Its world is made before the clock starts.
 render::Method peer_method(const Peer& peer, const Problem& problem, double weight_moment) {
   const auto begun = [=](const Problem& p, double dt) {
     return PeerMotion{peer.make(p.moments, p.start, dt), weight_moment};
@@ -129,7 +130,7 @@ render::MeasuredChart chart(const char* name, const char* title, const char* sub
   return {chart, methods};
 }
 
-/// What a motion keeps, once a second for ten minutes at 60 steps a second.
+/// Records the constants of a motion, once a second for ten minutes at 60 steps a second.
 template <typename Start>
 render::HistoryMethod history(const char* name, render::Colour colour, const Problem& problem,
                               const Start& begun) {

@@ -10,8 +10,7 @@
 /// are the same attitude. Body axes are principal axes: `moments` are I1, I2, I3 about the centre
 /// of mass [kg m²], each above zero and none above the sum of the other two. m = Rᵀ L is the
 /// angular momentum in body axes. A step takes a dt [s] of either sign with |ω dt| < 1e6, and
-/// returns a unit q. Masses, moments, ω and dt are zero or from 1e-60 to 1e60 in size in these
-/// units.
+/// returns a unit q. Masses, moments, ω and dt are zero or, in these units, 1e-60 to 1e60 in size.
 namespace lab::gyroscopic_tumbling {
 
 using common::HeavyTop;
@@ -88,7 +87,7 @@ struct SpinRate {
 /// spin  q may have any length, because dq/dt is linear in q
 SpinRate spin_rate(const Vec3& moments, const Spin& spin);
 
-/// Takes the classical Runge-Kutta step on (q, ω_body), and normalises q at its end.   eq. (14)
+/// Takes the classical Runge-Kutta step on (q, ω_body) and then normalises q, once.     eq. (14)
 Spin step_rk4(const Vec3& moments, const Spin& spin, double dt);
 
 /// Takes the part of the motion that ½ m_i²/I_i alone drives. The body turns about its own axis i
@@ -97,7 +96,7 @@ Spin step_rk4(const Vec3& moments, const Spin& spin, double dt);
 /// axis  i − 1: 0, 1 or 2
 Spin step_about_axis(const Vec3& moments, const Spin& spin, int axis, double dt);
 
-/// Turns about the axes 1, 2, 3, 2, 1 for dt/2, dt/2, dt, dt/2, dt/2.                  eq. (17)
+/// Takes sub-rotations about the axes 1, 2, 3, 2, 1 for dt/2, dt/2, dt, dt/2, dt/2.    eq. (17)
 Spin step_splitting(const Vec3& moments, const Spin& spin, double dt);
 
 /// Returns the torque of the weight about the fixed point, body axes [N m]. The centre of mass is

@@ -10,7 +10,7 @@ using common::Quat;
 using common::Spin;
 using common::Vec3;
 
-/// ODE wants to be started once and stopped at the end.
+/// ODE must be started once and stopped at the end.
 struct Library {
   Library() { dInitODE2(0); }
   ~Library() { dCloseODE(); }

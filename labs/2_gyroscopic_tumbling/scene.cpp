@@ -1,5 +1,5 @@
-// Three bodies under the steps of the lab: a T-handle that flips, its angular velocity on the
-// energy ellipsoid, where the explicit loop's runs off, and a spinning top.
+// Three bodies move under the steps of the lab: a T-handle that flips, its angular velocity on the
+// energy ellipsoid, from which the explicit loop's runs off, and a spinning top.
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -27,22 +27,24 @@ const Vec3 handle_center(-1.95, 0.0, 1.2);
 const Vec3 ellipsoid_center(0.0, 0.0, 1.2);
 const Vec3 top_pivot(2.0, 0.0, 0.0);
 
-/// About the stem, the intermediate axis, off by a hundredth: it turns over every three seconds.
+/// Returns a spin about the stem, the intermediate axis, off by a hundredth. It turns over every
+/// three seconds.
 Spin handle_start() {
   const Vec3 omega = 2.0 * std::numbers::pi * Vec3(0.01, 1.0, 0.01).normalized();
   return {Quat(Eigen::AngleAxisd(0.5 * std::numbers::pi, Vec3::UnitX())), omega};  // stem up
 }
 
-/// Leant over by 30 degrees, its axis let go at rest.
+/// Returns a top that leans by 30 degrees, its axis let go at rest.
 Spin top_start() {
   const Quat leaning(Eigen::AngleAxisd(std::numbers::pi / 6.0, Vec3::UnitY()));
   return {leaning, Vec3(0.0, 0.0, 30.0)};
 }
 
-/// The states of a body, one a step.
+/// The states of a body, one for each step.
 using Track = std::vector<Spin>;
 
-/// What a method makes of a start; nothing, and an entry in `missing`, where it is not written.
+/// Returns the motion by a method from a start. If the method is not written yet, returns nothing
+/// and adds an entry to `missing`.
 std::optional<Track> tracked(const Spin& start, const std::function<Spin(const Spin&)>& step,
                              std::vector<std::string>& missing) {
   return common::if_written(missing, [&] {
@@ -52,7 +54,7 @@ std::optional<Track> tracked(const Spin& start, const std::function<Spin(const S
   });
 }
 
-/// The loop of step 2.2 on a body that nothing pushes.
+/// Runs the loop of step 2.2 on a body without forces.
 Spin loop_step(const Spin& spin) {
   RigidBodyState state;
   state.world_from_body = spin.world_from_body;
@@ -93,13 +95,13 @@ void add_arrow(render::Scene& scene, const Vec3& tail, const Vec3& tip, const ch
   scene.labels.push_back({tip + 0.12 * (tip - tail).normalized(), name, colour, 24.0});
 }
 
-/// Says on the ground before a body what carries it on.
+/// Writes the name of a body's method on the ground before it.
 void add_name(render::Scene& scene, const Vec3& place, const char* name) {
   scene.labels.push_back({{place.x() - 0.4, -1.0, 0.0}, name, palette::ink, 20.0});
 }
 
-/// The handle with ω and L; its crossbar is orange on one side and blue on the other, so that a
-/// turn over shows.
+/// Draws the handle with ω and L. Its crossbar is orange on one side and blue on the other, so that
+/// a turn over shows.
 void add_handle(render::Scene& scene, const Track& track, double time) {
   const Spin& spin = track[step_at(time)];
   const Mat3 R = spin.world_from_body.toRotationMatrix();
@@ -114,24 +116,24 @@ void add_handle(render::Scene& scene, const Track& track, double time) {
   add_arrow(scene, handle_center, handle_center + 0.16 * omega, "ω", palette::green);
 }
 
-/// From body axes to the picture's: the intermediate axis lies across, so that ω is seen to run
-/// from one end to the other; the major axis is up.
+/// Maps body axes to the picture's. The intermediate axis lies across, so that you see ω run from
+/// one end to the other. The major axis is up.
 const Mat3 picture_from_body = 1.05 * Mat3{{0.0, -1.0, 0.0}, {1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}};
 
-/// The surface of equal energy: a unit sphere stretched by 1/√I_i.
+/// Returns the surface of equal energy: a unit sphere stretched by 1/√I_i.
 render::Sphere ellipsoid() {
   const Mat3 stretch = moments.cwiseSqrt().cwiseInverse().asDiagonal();
   return {
       {ellipsoid_center, picture_from_body * stretch}, 1.0, {palette::sky, palette::sky, 0.55F}};
 }
 
-/// Lifted off the surface, so that it is not half hidden in it.
+/// Lifts a point off the surface, so that it is not half hidden in it.
 Vec3 above_ellipsoid(const Vec3& angular_velocity_body) {
   const double size = std::sqrt(2.0 * energy(handle_start()));
   return ellipsoid_center + 1.006 / size * picture_from_body * angular_velocity_body;
 }
 
-/// The curves that ω runs along for other amounts of angular momentum, from the exact motion.
+/// Returns the curves on which ω runs for other amounts of angular momentum, from the exact motion.
 std::vector<render::Trail> polhodes() {
   std::vector<render::Trail> trails;
   const double size = std::sqrt(2.0 * energy(handle_start()));
@@ -154,7 +156,7 @@ std::vector<render::Trail> polhodes() {
   return trails;
 }
 
-/// The path of ω in the body so far, and where it is.
+/// Draws the path of ω in the body so far, and its place now.
 void add_path(render::Scene& scene, const Track& track, double time, const render::Colour& colour) {
   render::Trail trail{{}, colour, 4.0};
   for (std::size_t i = 0; i <= step_at(time); ++i) {
@@ -179,7 +181,7 @@ void add_top(render::Scene& scene, const Track& track, double time) {
   scene.trails.push_back(trail);
 }
 
-/// The foot of the strip: what drifted, and how far off the exact motion all is at the end.
+/// Returns the foot of the strip: what drifted, and all errors against the exact motion at the end.
 std::string measured(const std::optional<Track>& handle, const std::optional<Track>& explicit_loop,
                      const std::optional<Track>& top) {
   std::string text;

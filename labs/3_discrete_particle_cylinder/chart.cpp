@@ -1,5 +1,5 @@
-// What samples miss of crossings and how late they are; and what of a cloth is inside, unseen, when
-// its particles or edges are checked.
+// These charts show which crossings samples miss, and how late they find the others. They also show
+// how much of a cloth is inside, but unseen, if its particles or its edges are checked.
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double missed_at_a_diameter = 1.0 - std::numbers::pi / 4.0;  // the mean of 1 − c/s
 
-/// `judged` makes an error of findings, and says whether the samples are of any use.
+/// Returns a method. `judged` maps findings to an error, and says whether the samples are of use.
 template <typename Judged>
 render::Method method(const char* name, double order, render::Colour colour, double diameters,
                       const Judged& judged) {
@@ -32,7 +32,7 @@ render::Method method(const char* name, double order, render::Colour colour, dou
           crossing.path, steps_a_path * static_cast<int>(samples), particle_radius, cylinder);
       sum += contact ? contact->time : 0.0;
     }
-    volatile double kept = sum;  // or nothing would be computed
+    volatile double kept = sum;  // otherwise nothing would be computed
     static_cast<void>(kept);
   };
   result.units = static_cast<double>(steps_a_path) * static_cast<double>(all->size());
@@ -85,7 +85,7 @@ render::MeasuredChart lateness_chart() {
            method("steps of 1 diameter, median", 1.0, palette::sky, 1.0, median)}};
 }
 
-/// `unseen_at` maps the length of an edge to what is unseen.
+/// Returns a method. `unseen_at` maps the length of an edge to what is unseen.
 template <typename UnseenAt>
 render::HistoryMethod check(const char* name, render::Colour colour, const UnseenAt& unseen_at) {
   const auto record = [=] {

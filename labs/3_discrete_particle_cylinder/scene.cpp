@@ -1,6 +1,6 @@
-// Is it enough to check the particles of a cloth? Two equal sheets fall on the cylinder: the left
-// one's particles are kept out, the right one's triangles. Beside them fast particles are shot
-// across, and looked at a few times only.
+// Is it enough to check the particles of a cloth? Two equal sheets fall on the cylinder. The left
+// one's particles are kept out, and the right one's triangles. Beside them fast particles are shot
+// across, and sampled only a few times.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace palette = render::palette;
 
 namespace {
 
-constexpr double foot = -0.95;  // where the names stand [m]
+constexpr double foot = -0.95;  // height of the names [m]
 
 void add_cylinder(render::Scene& scene) {
   scene.cylinders.push_back({{{-0.2, 0.0, 0.0}, render::z_along_x},
@@ -24,7 +24,7 @@ void add_cylinder(render::Scene& scene) {
                              {palette::grey, palette::grey, 0.55F}});
 }
 
-/// A line along an edge. What of it the cylinder hides is marked on the surface above.
+/// Draws a line along an edge. The part that the cylinder hides is marked on the surface above.
 void add_edge(render::Scene& scene, const Vec3& a, const Vec3& b, bool is_sunk) {
   constexpr int pieces = 16;
   const double least_distance = is_sunk ? 1.02 * cylinder.radius : 0.0;
@@ -38,7 +38,7 @@ void add_edge(render::Scene& scene, const Vec3& a, const Vec3& b, bool is_sunk) 
   scene.trails.push_back(line);
 }
 
-/// Flat, as they are, and seen from both sides.
+/// Draws the triangles flat, as they are, and visible from both sides.
 void add_triangles(render::Scene& scene, const Sheet& sheet) {
   render::Mesh mesh{{}, sheet.positions, {}, false, {palette::sky, palette::blue}, {}};
   for (const auto& corners : sheet.triangles) {
@@ -87,8 +87,8 @@ void add_shot(render::Scene& scene, const Shot& shot, double film_time) {
   }
 }
 
-/// The deepest of the sunk edges, and what an edge sinks that is as long across the axis and
-/// touches with both ends: ρ − √(ρ² − l²/4) [m].
+/// Returns the depth of the deepest sunk edge, and by theory that of an edge that is as long across
+/// the axis and whose ends both touch: ρ − √(ρ² − l²/4) [m].
 std::pair<double, double> deepest_sink(const Moment& moment) {
   const Sheet& sheet = moment.sheet;
   const double rho = cylinder.radius + sheet.particle_radius;
@@ -103,7 +103,7 @@ std::pair<double, double> deepest_sink(const Moment& moment) {
   return deepest;
 }
 
-/// The foot of the strip: what has sunk at the end, and what tunnels.
+/// Returns the foot of the strip: what has sunk at the end, and what tunnels.
 std::string measured(const std::vector<Fall>& falls,
                      const std::optional<std::vector<Shot>>& all_shots) {
   std::string text;

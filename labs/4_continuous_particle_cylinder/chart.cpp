@@ -1,4 +1,5 @@
-// Error of the time of impact against computing time: for particles near and far, and for an edge.
+// These charts show the error of the time of impact against computing time, for particles near and
+// far, and for an edge.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -19,7 +20,7 @@ double error_of(const std::optional<double>& time, const std::optional<DoubleDou
   return std::min(std::abs((DoubleDouble(*time) - *exact).high), nothing_is_known);
 }
 
-/// Judges and times `find`, which maps a motion and the ladder's parameter to what it found.
+/// Judges and times `find`, which maps a motion and the ladder's parameter to what it finds.
 template <typename Moving, typename Find>
 render::Method method(const char* name, render::Colour colour, const std::vector<double>& ladder,
                       const std::shared_ptr<const std::vector<Case<Moving>>>& cases,
@@ -38,14 +39,14 @@ render::Method method(const char* name, render::Colour colour, const std::vector
   result.run = [=](double parameter) {
     double sum = 0.0;
     for (const auto& [moving, exact] : *cases) sum += find(moving, parameter).time.value_or(0.0);
-    volatile double kept = sum;  // or nothing would be computed
+    volatile double kept = sum;  // otherwise nothing would be computed
     static_cast<void>(kept);
   };
   result.units = static_cast<double>(cases->size());
   return result;
 }
 
-/// All cases in one call, over and over until there are some ten thousand.
+/// Runs all cases in one call, over and over until there are about ten thousand.
 render::Method batch_method(const char* name, render::Colour colour,
                             const std::shared_ptr<const std::vector<Case<MovingParticle>>>& cases) {
   constexpr int copies = 32;

@@ -1,5 +1,6 @@
-// Bullets and a cylinder that is cut open in the plane of their flight: looked at three times only,
-// and stopped at their times of impact. Beside them an edge whose ends pass by on both sides.
+// Bullets fly at a cylinder that is cut open in the plane of their flight. One group is sampled
+// only three times, the other is stopped at its times of impact. Beside them is an edge whose ends
+// pass by on both sides.
 #include <algorithm>
 #include <cstdio>
 
@@ -15,7 +16,7 @@ namespace {
 constexpr double ground_height = -1.35;
 constexpr double edge_shift = 2.15;
 
-/// Open just behind x = 0, where everything flies.
+/// Draws the cylinder open just behind x = 0, the plane in which everything flies.
 void add_cylinder(render::Scene& scene, const char* name, double shift) {
   constexpr double half_length = 0.28;
   scene.cylinders.push_back({{{-half_length - 0.02, shift, 0.0}, render::z_along_x},
@@ -78,7 +79,7 @@ void add_edge(render::Scene& scene, double time, const render::Colour& colour, f
   }
 }
 
-/// Stopped at its impact; and as those see it who look at the ends alone.
+/// Draws the edge stopped at its impact, and as a check of only its ends sees it.
 void add_edges(render::Scene& scene, const EdgeImpact& impact, double film_time) {
   add_cylinder(scene, "an edge", edge_shift);
   const double time = std::min(film_time, flight);
@@ -89,7 +90,7 @@ void add_edges(render::Scene& scene, const EdgeImpact& impact, double film_time)
   if (stop < time) add_mark(scene, *impact.contact, {0.0, edge_shift, 0.0});
 }
 
-/// The foot of the strip.
+/// Returns the foot of the strip.
 std::string measured(const std::vector<Group>& groups, const std::optional<EdgeImpact>& edge) {
   std::string text;
   char line[160];

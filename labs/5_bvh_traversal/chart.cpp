@@ -1,6 +1,6 @@
-// Culling against computing time, for meshes of a thousand to a million triangles: how many pairs
-// of triangles are tested for each that meets, and how long a query takes. With --mesh FILE.obj,
-// the same of that mesh, or of two.
+// These charts show culling against computing time, for meshes of a thousand to a million
+// triangles: the number of triangle tests for each pair that meets, and the time of a query. With
+// --mesh FILE.obj they show the same for that mesh, or for two.
 #include <map>
 
 #include "chart_trees.hpp"
@@ -12,7 +12,7 @@ namespace palette = render::palette;
 
 namespace {
 
-/// Shapes of any size, and which of their triangles meet. Each is made when it is first wanted.
+/// Shapes of any size, and their triangles that meet. Each is made when it is first needed.
 class Problem {
  public:
   explicit Problem(std::function<ShapePair(std::size_t)> make) : make_(std::move(make)) {}
@@ -22,7 +22,7 @@ class Problem {
     if (is_new) place->second = make_(static_cast<std::size_t>(triangles));
     return place->second;
   }
-  /// By a tree that no method here but one uses.
+  /// Finds them by a tree that only one method here uses.
   const std::vector<TrianglePair>& pairs(double triangles) {
     const auto [place, is_new] = pairs_.try_emplace(triangles);
     if (is_new) place->second = by_eights(shapes(triangles))().pairs;
@@ -37,7 +37,7 @@ class Problem {
 
 using SharedProblem = std::shared_ptr<Problem>;
 
-/// Builds when it is first asked, and keeps the trees.
+/// Trees that are built at the first query, and kept.
 class Trees {
  public:
   Trees(SharedProblem problem, Build build)
@@ -64,7 +64,7 @@ render::Method method(const std::string& name, render::Colour colour, const Shar
     std::sort(found.pairs.begin(), found.pairs.end());
     const std::vector<TrianglePair>& exact = problem->pairs(triangles);
     const auto tests = static_cast<double>(found.triangle_tests);
-    // Where nothing meets, the tests are counted by the triangle.
+    // If nothing meets, the tests are counted for each triangle.
     const double by = exact.empty()
                           ? static_cast<double>(problem->shapes(triangles).a.triangles.size())
                           : static_cast<double>(exact.size());
@@ -80,7 +80,7 @@ render::Method method(const std::string& name, render::Colour colour, const Shar
 }
 
 const std::vector<double> sizes = render::ladder(1000, 1000000, 10);
-/// Of large leaves: an answer that asks all their pairs of triangles takes seconds for a million.
+/// For large leaves: an answer that tests all their pairs of triangles takes seconds for a million.
 const std::vector<double> sizes_of_large_leaves = render::ladder(1000, 100000, 10);
 
 std::vector<render::Method> methods(const SharedProblem& problem) {
@@ -157,7 +157,7 @@ render::ChartPlan full_plan(bool with_peers) {
   return plan;
 }
 
-/// A mesh of one's own and another, or the same again, turned and shifted a little.
+/// Returns the plan for the user's own mesh and another, or the same again, turned and shifted.
 render::ChartPlan plan_of(const OwnMeshes& own) {
   ShapePair shapes{own.fitted(0, 1.0), own.fitted(1, 1.0), turned()};
   const auto size = static_cast<double>(shapes.a.triangles.size());
@@ -177,7 +177,8 @@ render::ChartPlan plan_of(const OwnMeshes& own) {
   return plan;
 }
 
-/// The trees of a million triangles, which take seconds to build, are left out of a brief one.
+/// Returns the plan. A brief one leaves out the trees of a million triangles, because they take
+/// seconds to build.
 render::ChartPlan plan(const render::ChartRequest& request) {
   render::ChartPlan plan = full_plan(request.peers);
   if (request.extent == render::Extent::full) return plan;

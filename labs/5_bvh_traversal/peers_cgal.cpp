@@ -24,7 +24,7 @@ Triangles triangles_of(const TriangleMesh& mesh, const RigidTransform& pose) {
   return triangles;
 }
 
-/// CGAL's own, but that it counts tests of triangles.
+/// CGAL's own traits, except that they count tests of triangles.
 struct CountingTraits : CGAL::AABB_traits<Kernel, Primitive> {
   using Base = CGAL::AABB_traits<Kernel, Primitive>;
 
@@ -43,7 +43,7 @@ struct CountingTraits : CGAL::AABB_traits<Kernel, Primitive> {
   mutable std::uint64_t tests = 0;
 };
 
-/// A tree of a, which is asked for each triangle of b: CGAL does not walk two trees at once.
+/// A tree of a. It is queried for each triangle of b, because CGAL cannot walk two trees at once.
 class CgalTrees : public PeerTrees {
  public:
   CgalTrees(const TriangleMesh& a, const TriangleMesh& b)

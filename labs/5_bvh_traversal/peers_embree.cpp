@@ -8,7 +8,7 @@
 namespace lab::bvh_traversal {
 namespace {
 
-/// Embree wants a device, and one thread is what all others have.
+/// Embree needs a device. It uses one thread, as all others do.
 RTCDevice device() {
   struct Device {
     RTCDevice handle = rtcNewDevice("threads=1");
@@ -22,7 +22,7 @@ RTCDevice device() {
   return one.handle;
 }
 
-/// To the next float outward: Embree's boxes are floats.
+/// Rounds to the next float outward, because Embree's boxes are floats.
 float below(double value) {
   return std::nextafter(static_cast<float>(value), -std::numeric_limits<float>::infinity());
 }
@@ -30,7 +30,7 @@ float above(double value) {
   return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::infinity());
 }
 
-/// A mesh as geometry of the user's own, the only one that rtcCollide takes.
+/// A mesh as a geometry of the user's own, the only kind that rtcCollide takes.
 class Tree {
  public:
   explicit Tree(std::vector<Triangle> triangles) : triangles_(std::move(triangles)) {
@@ -76,7 +76,7 @@ class EmbreeTrees : public PeerTrees {
  public:
   EmbreeTrees(const TriangleMesh& a, const TriangleMesh& b)
       : mesh_b_(b), a_(triangles_of(a, {})), b_(std::make_unique<Tree>(triangles_of(b, {}))) {
-    // What is not written yet must not throw through Embree.
+    // If triangles_meet is not written yet, it must throw here, not through Embree.
     static_cast<void>(triangles_meet(a_[0], (*b_)[0]));
   }
 

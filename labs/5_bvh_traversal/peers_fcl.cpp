@@ -33,7 +33,7 @@ class FclTrees : public PeerTrees {
     b_pose_.translation() = a_from_b.translation;
   }
 
-  /// What fcl::collide does with two models, but with its counts.
+  /// Does what fcl::collide does with two models, but keeps its counts.
   Intersections find() override {
     constexpr std::size_t all = std::size_t{1} << 30;
     const fcl::CollisionRequest<double> request(all, false);

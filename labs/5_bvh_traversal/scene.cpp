@@ -1,6 +1,6 @@
 // Two bumpy tori change places and pass through each other. The triangles that meet are lit, and
-// the boxes of one level of the trees that hold them are drawn. With --mesh FILE.obj, twice if
-// there are two, these stand in for the tori.
+// the boxes of one level of the trees that hold them are drawn. With --mesh FILE.obj, once or
+// twice, your meshes replace the tori.
 #include <array>
 #include <cstdio>
 #include <optional>
@@ -15,7 +15,7 @@ namespace palette = render::palette;
 
 namespace {
 
-/// A torus with its tree, and how it looks.
+/// A torus with its tree and its look.
 struct Torus {
   TriangleMesh mesh;
   Bvh bvh;
@@ -29,10 +29,10 @@ Torus torus_of(const TriangleMesh& mesh, const render::Paint& paint, const rende
   return {mesh, bvh, level_of(bvh, mesh.triangles.size()), paint, line};
 }
 
-/// The twelve edges; to and fro, so that each line's fading start lies under its end.
+/// Draws the twelve edges to and fro, so that each line's fading start lies under its end.
 void add_wires(render::Scene& scene, const Box& box, const RigidTransform& pose,
                const render::Colour& colour) {
-  if (!box.low.allFinite() || !box.high.allFinite()) return;  // of an answer that is wrong
+  if (!box.low.allFinite() || !box.high.allFinite()) return;  // a wrong answer's box
   const auto corner = [&](int bits) {
     Vec3 point;
     for (int i = 0; i < 3; ++i) point[i] = (bits >> i & 1) != 0 ? box.high[i] : box.low[i];
@@ -48,7 +48,7 @@ void add_wires(render::Scene& scene, const Box& box, const RigidTransform& pose,
   }
 }
 
-/// `lit` by triangle; a box is drawn where a triangle in it is lit.
+/// `lit` is by triangle. A box is drawn if a triangle in it is lit.
 void add_torus(render::Scene& scene, const Torus& torus, const RigidTransform& pose,
                const std::vector<bool>& lit) {
   render::Mesh mesh{
@@ -95,7 +95,7 @@ render::Scene scene_of(const Tori& tori, double time) {
   return scene;
 }
 
-/// The foot of the strip: the query with most pairs.
+/// Returns the foot of the strip: the query with most pairs.
 std::string measured(const Tori& tori, std::vector<std::string>& missing) {
   constexpr int looks = 100;
   Intersections most;

@@ -1,5 +1,6 @@
-// Error against computing time of the two ways to step: where a particle leaves the cylinder, when
-// a ball bounces, and how far a particle slides on an incline.
+// These charts show error against computing time of the two ways to step: the angle at which a
+// particle leaves the cylinder, the times at which a ball bounces, and the way that a particle
+// slides on an incline.
 #include <cmath>
 #include <vector>
 
@@ -11,7 +12,7 @@ namespace palette = render::palette;
 
 namespace {
 
-/// `run` maps the number of steps a second to an error and the steps that it took.
+/// Returns a method. `run` maps the number of steps a second to an error and the steps taken.
 template <typename Run>
 render::Method method(const char* name, double order, render::Colour colour,
                       const std::vector<double>& ladder, double failure, const Run& run) {
@@ -22,7 +23,7 @@ render::Method method(const char* name, double order, render::Colour colour,
     return render::Judgement{is_known ? error : failure, static_cast<double>(steps), is_known};
   };
   result.run = [=](double steps_a_second) {
-    volatile double kept = run(1.0 / steps_a_second).error;  // or nothing would be computed
+    volatile double kept = run(1.0 / steps_a_second).error;  // otherwise nothing would be computed
     static_cast<void>(kept);
   };
   return result;

@@ -13,9 +13,9 @@
 ///   v_n  n·v [m/s], below zero inwards          μ  coefficient of friction, zero or above
 ///   v_t  v − v_n n [m/s]                        j  impulse [N s]
 ///
-/// Every function throws std::invalid_argument if an argument is NaN or infinite, if a mass or a
-/// radius is not above zero, if e is outside [0, 1], if μ or dt is below zero, if a normal is not
-/// of length one (to 1e-9), or if an argument breaks a requirement stated below.
+/// Every function throws std::invalid_argument if an argument is NaN or infinite, or breaks a
+/// requirement stated below. It also throws if a mass or a radius is not above zero, if e is
+/// outside [0, 1], if μ or dt is below zero, or if a normal is not of length one (to 1e-9).
 ///
 /// Numbers are 0 or from 1e-100 to 1e100 in size. So are the products in the formulas, such as
 /// m |v_t| and the entries of K. Beyond that, results may overflow or underflow.
@@ -121,8 +121,7 @@ Mat3 inverse_effective_mass(const RigidBody& a, const RigidBody& b, const Vec3& 
 ///
 /// Stick comes first: the j after which u_t = 0 and u_n is −e times its old value. If that j is
 /// outside the friction cone, |j_t| > μ j_n, the answer is j = j_n (n + μ t) on the cone. It keeps
-/// the tangential direction t of stick, and has the j_n > 0 after which u_n is −e times its old
-/// value.
+/// the tangential direction t of stick; its j_n > 0 also makes u_n −e times its old value.
 /// Throws std::invalid_argument if both inverse masses are zero.
 Vec3 contact_impulse(const RigidBody& a, const RigidBody& b, const Contact& contact,
                      const Material& material);

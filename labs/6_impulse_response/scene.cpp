@@ -1,5 +1,6 @@
-// Left, ten thousand particles pour on the cylinder, stepped by option 2. Right, a brick hits its
-// top with one corner and tumbles away: the impulse of an impact between two rigid bodies.
+// On the left, ten thousand particles pour on the cylinder, stepped by option 2. On the right, a
+// brick hits the top with one corner and tumbles away, which shows the impulse of an impact between
+// two rigid bodies.
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -32,8 +33,8 @@ render::Colour colour_of(const Grain& grain) {
   return grain.impulse < hits_hard ? palette::orange : palette::vermilion;
 }
 
-/// A dome towards the eye, whose outline is round: ten thousand spheres would have ten times the
-/// triangles, half of them on the far side.
+/// Adds a dome towards the eye, whose outline is round. Ten thousand spheres would have ten times
+/// the triangles, half of them on the far side.
 void add_grain(render::Mesh& mesh, const Vec3& position) {
   static const Mat3 turn = render::z_axis_towards(towards_eye);
   constexpr int sides = 8;
@@ -47,7 +48,7 @@ void add_grain(render::Mesh& mesh, const Vec3& position) {
   }
 }
 
-/// One mesh of each colour.
+/// Adds one mesh of each colour.
 void add_grains(render::Scene& scene, const Pour& pour, std::size_t frame) {
   for (const render::Colour& colour :
        {palette::grey, palette::sky, palette::orange, palette::vermilion}) {
@@ -56,7 +57,7 @@ void add_grains(render::Scene& scene, const Pour& pour, std::size_t frame) {
     mesh.paint = {colour, colour, colour.red == palette::grey.red ? 0.4F : 0.0F};
     for (std::size_t i = 0; i < pour.frames[frame].size(); i += simulated_for_one_drawn) {
       const Grain& grain = pour.frames[frame][i];
-      if (!grain.position.allFinite()) continue;  // of an answer that is wrong
+      if (!grain.position.allFinite()) continue;  // a wrong answer's
       const render::Colour own = colour_of(grain);
       if (own.red == colour.red && own.blue == colour.blue) add_grain(mesh, grain.position);
     }
@@ -64,7 +65,7 @@ void add_grains(render::Scene& scene, const Pour& pour, std::size_t frame) {
   }
 }
 
-/// The brick, paler poses every 0.4 s, its path, and the hard impulses of the cylinder so far.
+/// Draws the brick, paler poses every 0.4 s, its path, and the cylinder's hard impulses so far.
 void add_brick(render::Scene& scene, const Tumble& tumble, std::size_t frame) {
   const auto add_pose = [&](const BrickPose& pose, float paleness) {
     scene.boxes.push_back({{pose.position, pose.attitude},

@@ -43,7 +43,7 @@ std::vector<tests::Suspect<Quat>> suspects_of_map(const Vec3& a) {
        "the sign of the cosine is lost, as by a root of 1 - sin^2"},
       {linear,
        "the series is cut after the linear term: this is step 1.5 without its normalisation"},
-      {linear.normalized(), "this is the Euler step of 1.5, which turns by 2 atan(x/2)"}};
+      {linear.normalized(), "this is the Euler step of 1.5, which turns by 2 atan(theta/2)"}};
 }
 
 Trial map_trial(const Vec3& a, int index = 1, int count = 1) {
@@ -66,7 +66,7 @@ std::vector<tests::Suspect<Quat>> suspects_of_step(const Quat& q, const Vec3& om
           {product(exact_exponential(omega), q), "dt is missing"},
           {q, "nothing turns: small spins are thrown away by a guard that is too wide"},
           {product(linear.normalized(), q),
-           "this is the Euler step of 1.5, which turns by 2 atan(x/2)"},
+           "this is the Euler step of 1.5, which turns by 2 atan(theta/2)"},
           {exact_exponential(a), "q is missing: only this step's turn is returned"}};
 }
 

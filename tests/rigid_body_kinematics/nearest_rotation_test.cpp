@@ -179,7 +179,7 @@ TEST_CASE("A matrix that is not finite is an error", "[1.4]") {
   }
 }
 
-TEST_CASE("A projected Euler step turns by the arc tangent of x about any axis", "[1.4]") {
+TEST_CASE("A projected Euler step turns by the arc tangent of theta about any axis", "[1.4]") {
   tests::Random random(48);
   int index = 0;
   for (const double x : {1e-3, 0.1, 0.5, 1.0, 3.0, 100.0}) {
@@ -190,7 +190,7 @@ TEST_CASE("A projected Euler step turns by the arc tangent of x about any axis",
     const Known as_built{tests::rotation(std::atan(x), a).toRotationMatrix(),
                          Vec3(std::hypot(1.0, x), std::hypot(1.0, x), 1.0), Mat3::Identity()};
     Trial("1.4 nearest_rotation", ++index, 6)
-        .given("x", x)
+        .given("theta", x)
         .given("axis", a)
         .given("matrix", swollen)
         .expect(nearest_rotation(swollen), wanted, determined(as_built),
@@ -198,6 +198,6 @@ TEST_CASE("A projected Euler step turns by the arc tangent of x about any axis",
                  {swollen.colwise().normalized(),
                   "only the columns' lengths are mended, not the angles between"},
                  {tests::rotation(x, a).toRotationMatrix(),
-                  "this is the exact turn by x; the projection only turns by atan x"}});
+                  "this is the exact turn by theta; the projection only turns by atan theta"}});
   }
 }

@@ -137,7 +137,7 @@ TEST_CASE("However slow the spin the quaternion turns by it", "[1.5]") {
   }
 }
 
-TEST_CASE("A quaternion step turns by twice the arc tangent of x over 2", "[1.5]") {
+TEST_CASE("A quaternion step turns by twice the arc tangent of theta over 2", "[1.5]") {
   tests::Random random(54);
   int index = 0;
   for (const double x : {1e-6, 0.1, 0.6, 1.0, 3.0, 10.0, 1e6}) {
@@ -155,7 +155,7 @@ TEST_CASE("However large the step it never turns more than half a turn", "[1.5]"
     const Quat q = step_quaternion_euler(Quat::Identity(), Vec3::UnitX(), x);
     const Trial trial = step_trial(Quat::Identity(), Vec3::UnitX(), x);
     trial.expect(q, Quat(2.0 / std::hypot(2.0, x), x / std::hypot(2.0, x), 0.0, 0.0),
-                 {8.0 * eps, "(2, x)/sqrt(4 + x^2): its real part is above zero for every x"},
+                 {8.0 * eps, "(2, theta)/sqrt(4 + theta^2): its real part is never below zero"},
                  suspects_of(Quat::Identity(), Vec3::UnitX(), x));
   }
 }

@@ -42,7 +42,7 @@ std::string likely_increment(const Vec3& moments, const Vec3& momentum, double d
   const Quat unnormalised(1.0, p.x(), p.y(), p.z());
   if (std::abs(p.w() - 1.0) < fits &&
       residual(moments, momentum, dt, unnormalised.normalized()) < fits) {
-    return "(1, e) is not normalised";
+    return "(1, b) is not normalised";
   }
   return "";
 }
@@ -87,7 +87,7 @@ TEST_CASE("Corrected moments have scaled and shifted inverses", "[2.8]") {
   }
 }
 
-TEST_CASE("A spin about an axis has an increment of the arc sine of x", "[2.8]") {
+TEST_CASE("A spin about an axis has an increment of the arc sine of theta", "[2.8]") {
   int index = 0;
   for (const int axis : {0, 1, 2}) {
     for (const double x : {1e-3, 0.5, 0.9, 0.99}) {
@@ -100,7 +100,7 @@ TEST_CASE("A spin about an axis has an increment of the arc sine of x", "[2.8]")
       const Quat p =
           trial.returned([&] { return moser_veselov_increment(moments, momentum, 1.0); });
       trial.expect(common::angle_between(Quat::Identity(), p), std::asin(x),
-                   {64.0 * eps / std::sqrt(1.0 - x * x), "the arc sine is steep towards x = 1"},
+                   {64.0 * eps / std::sqrt(1.0 - x * x), "the arc sine is steep towards theta = 1"},
                    {{2.0 * std::atan(0.5 * x), "p0 is taken for 1: p = dt omega / 2"},
                     {std::asin(0.5 * x), "the factor 2 is on the wrong side"}});
     }
@@ -123,7 +123,7 @@ TEST_CASE("The increment solves its equation", "[2.8]") {
                        {256.0 * eps, "p to a few ulp, moments a factor 12 apart"},
                        likely_increment(moments, momentum, dt, p));
     trial.expect_small("||p| - 1|", std::abs(p.norm() - 1.0), {4.0 * eps, "normalised"},
-                       "(1, e) is not normalised");
+                       "(1, b) is not normalised");
     trial.expect_small("-p0", -p.w(), {0.0, "the solution that goes to 1 with dt"});
   }
 }

@@ -232,7 +232,7 @@ TEST_CASE("The splitting holds a wobble up to the limit of its trace", "[2.5]") 
     const double limit = first_limit(wobble);  // omega is 1, so x is dt
     const Trial trial =
         tests::spin_trial(splitting_function, wobble.moments, wobble.start(1e-5), ++index, 2)
-            .given("x at the limit", limit);
+            .given("theta at the limit", limit);
     trial.expect_small("growth at 0.9 of the limit",
                        tests::growth(wobble, splitting_step(wobble.moments), 0.9 * limit, 10000),
                        {10.0, "|trace| < 2: the wobble runs on an ellipse"});

@@ -105,14 +105,14 @@ inline std::vector<Suspect<FoundTime>> suspects_of_time(const Flight& f) {
           {FoundTime{0.0}, story::no_time}};
 }
 
-/// A straight way across the cylinder, b beside the axis: in contact along a chord c.
+/// A straight way across the cylinder, b beside the axis: in contact along a chord of length L.
 struct Crossing {
   double particle_radius;
   Cylinder cylinder;
   double offset;  ///< b [m]
   double speed;   ///< across the cylinder [m/s]
   double angle;   ///< of the way about the axis
-  double chord;   ///< c [m]
+  double chord;   ///< L [m]
 
   /// Sampled every c/`ratio`, from four and a share `phase` of such steps before the middle.
   [[nodiscard]] Flight flight(double ratio, double phase) const {

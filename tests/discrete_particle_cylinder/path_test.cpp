@@ -115,11 +115,11 @@ TEST_CASE("Paths of any size are sampled alike", "[3.4]") {
   expect_right(slow);
 }
 
-TEST_CASE("Samples s apart miss a chord c for a share 1 - c over s of all phases", "[3.4]") {
+TEST_CASE("Samples s apart miss a chord L for a share 1 - L over s of all phases", "[3.4]") {
   // Of evenly spaced phases the share that misses is right to one phase, of 2000.
   constexpr int phases = 2000;
   tests::Random random(342);
-  for (const double ratio : {0.1, 0.5, 0.9, 0.99, 1.01, 1.1, 2.5}) {  // c/s
+  for (const double ratio : {0.1, 0.5, 0.9, 0.99, 1.01, 1.1, 2.5}) {  // L/s
     const tests::Crossing crossing = tests::random_crossing(random);
     double missed = 0.0;
     for (int i = 0; i < phases; ++i) {
@@ -136,7 +136,7 @@ TEST_CASE("Samples s apart miss a chord c for a share 1 - c over s of all phases
 TEST_CASE("A hit is found at most one step late and half a step on average", "[3.4]") {
   constexpr int phases = 500;
   tests::Random random(343);
-  for (const double ratio : {1.1, 2.0, 4.0}) {  // c/s
+  for (const double ratio : {1.1, 2.0, 4.0}) {  // L/s
     const tests::Crossing crossing = tests::random_crossing(random);
     double sum = 0.0;
     for (int i = 0; i < phases; ++i) {

@@ -111,14 +111,14 @@ TEST_CASE("The textbook root loses digits with the square of the distance", "[4.
       const Time got{textbook(query)};
       const double way = largest_place_error(distance, 0.5);
       trial.expect(got, tests::time_of(query),
-                   {way * tests::rho(query), "5.5 eps D^2/sqrt(1 - h^2), D and h in rho"},
+                   {way * tests::rho(query), "5.5 eps |x|^2/sqrt(1 - beta^2), in rho"},
                    [&] { return textbook_suspects(query); });
       errors.push_back(place_error(query, *got.seconds));
     }
     std::nth_element(errors.begin(), errors.begin() + 100, errors.end());
     const double least = distance * distance * eps / 16.0;
     tests::trial(textbook_step, query)
-        .expect_small("eps D^2/16 over the median error of the place", least / errors[100],
+        .expect_small("eps |x|^2/16 over the median error of the place", least / errors[100],
                       {1.0, "the rounding of b^2 alone costs as much"},
                       "this is not the textbook's formula: it is too good far off; write eq. (3) "
                       "as it stands");

@@ -38,12 +38,15 @@ class Content(unittest.TestCase):
             for file in ("README.md", "CMakeLists.txt", f"{name}.hpp", f"{name}.cpp", "hints.md",
                          "scene.cpp", "chart.cpp"):
                 self.assertIn(f"tumble/labs/{path.name}/{file}", self.names)
+            for sketch in path.glob("sketches/*"):
+                self.assertIn(f"tumble/labs/{path.name}/sketches/{sketch.name}", self.names)
             tests = list(ROOT.glob(f"tests/{name}/*_test.cpp"))
             self.assertTrue(tests)
             for test in tests:
                 self.assertIn(f"tumble/tests/{name}/{test.name}", self.names)
         for name in ("tumble", "README.md", "CMakeLists.txt", "CMakePresets.json", "LICENSE",
-                     "common/command/tumble/checklist.py", "render/CMakeLists.txt"):
+                     "common/command/tumble/checklist.py", "render/CMakeLists.txt",
+                     "labs/sketch_style.gp"):
             self.assertIn(f"tumble/{name}", self.names)
 
     def test_no_name_tells_of_solutions_mistakes_or_grading(self) -> None:

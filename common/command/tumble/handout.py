@@ -19,7 +19,7 @@ from .labs import Lab, find_labs, require_solutions
 FOLDER = "tumble"
 
 _SUFFIX = ".tar.gz"
-_KINDS = {".hpp", ".cpp", ".py", ".html", ".md", ".cmake", ".txt", ".json", ".png", ".svg"}
+_KINDS = {".hpp", ".cpp", ".py", ".html", ".md", ".cmake", ".txt", ".json", ".gp", ".png", ".svg"}
 _TOP = ("CMakeLists.txt", "CMakePresets.json", "LICENSE", "tumble", ".clang-format")
 _WHOLE = ("common", "render", "labs", "tests/support")
 # The overview for students stands in for the one that tells of solutions and grading.

@@ -102,7 +102,7 @@ class Launcher(KitTestCase):
         self.kit.add_tool("id", "echo 1000\n")
         done = self.kit.tumble("demo")
         self.assert_cause_and_remedy(done)
-        self.assertIn("python3 is missing; installing it takes root, and there is no sudo",
+        self.assertIn("python3 is missing; installing it needs root, and there is no sudo",
                       done.stderr)
         self.assertIn("as root, type: apt-get install", done.stderr)
         self.kit.add_tool("sudo", 'exec "$@"\n')

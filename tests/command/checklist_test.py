@@ -40,7 +40,7 @@ class Checklist(RecordedTests):
         for words in ("FAILED: CHECK( error < 1e-12 ) with expansion: 0.25 < 0.0",
                       "crashed (SIGSEGV); usual causes",
                       "this assert did not hold: determinant > 0.0",
-                      "did not end in time", "an exception came out: vector::_M_range_check"):
+                      "did not end in time", "an exception was thrown: vector::_M_range_check"):
             self.assertIn(words, text)
 
     def test_without_utf8_the_signs_are_plain(self) -> None:

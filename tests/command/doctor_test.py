@@ -45,14 +45,14 @@ class Doctor(KitTestCase):
         tools = [Finding("bubblewrap", "", False, "grading", "bubblewrap", needed=False,
                          command="verify")]
         told = "\n".join(doctor.advice(tools))
-        self.assertIn("To get what ./tumble verify takes: ./tumble verify", told)
+        self.assertIn("To install what ./tumble verify needs: ./tumble verify", told)
         self.assertNotIn("./tumble demo", told)
 
     def test_nothing_is_built_for_a_test_frame(self) -> None:
         gl = [Finding(name, "yes", True, "pictures", "x") for name in ("OpenGL", "OSMesa")]
         with mock.patch("tumble.build.require") as require:
             told = "\n".join(doctor.test_frame(self.kit.root, gl))
-            self.assertIn("./tumble frames 1 --solution builds what draws them", told)
+            self.assertIn("./tumble frames 1 --solution builds the renderer", told)
             self.assertIn("no off-screen GL", doctor.test_frame(self.kit.root, gl[:1])[0])
             require.assert_not_called()
 

@@ -25,7 +25,7 @@ class OneCase(KitTestCase):
         self.assert_one_line(self.kit.tumble("test", "1", "--case", "near"), 2)
         done = self.kit.tumble("test", "1", "--case", "a ")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("3 cases hold 'a '; which of them?\n\n  1.1  A turn\n", done.stderr)
+        self.assertIn("3 cases match 'a ': give more of one title\n\n  1.1  A turn\n", done.stderr)
 
     def test_debug_opens_gdb_at_the_functions_of_the_step(self) -> None:
         self.kit.write(f"labs/{LAB}/spin.hpp", "Mat3 skew(const Vec3& w);\nVec3 far(double x);\n")

@@ -113,7 +113,7 @@ exit 100
                 self.assertRaises(Failure) as caught:
             packages.root_prefix(missing)
         cause, remedy = str(caught.exception).splitlines()
-        self.assertIn("1 package is missing; installing takes root, and there is no sudo", cause)
+        self.assertIn("1 package is missing; installing needs root, and there is no sudo", cause)
         self.assertIn("as root, type: apt-get install --no-install-recommends catch2", remedy)
 
     def test_no_install_leaves_the_packages_alone(self) -> None:

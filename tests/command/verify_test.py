@@ -81,7 +81,8 @@ class Verify(KitTestCase):
                           ["grade", "."]):
             done = self.kit.tumble(*arguments)
             self.assert_one_line(done, 1)
-            self.assertIn("needs the solutions, and this is a hand-out: it has none", done.stderr)
+            self.assertIn("needs the solutions, but this is a hand-out, which has none",
+                          done.stderr)
 
 
 if __name__ == "__main__":

@@ -36,9 +36,9 @@ EVIL: list[tuple[str, Callable[[Path], object], Optional[str]]] = [
     ("absolute.tar", lambda p: write_tar(p, [tar_member("/tmp/" + NAME)], "w"), "leads out"),
     ("out.tar", lambda p: write_tar(p, [tar_member("x/../../" + NAME)], "w"), "leads out"),
     ("twice.zip", lambda p: write_zip(p, [("a/" + NAME, GOOD), ("b/" + NAME, b"//")]),
-     "is there 2 times: 'a/spin.cpp' and 'b/spin.cpp'"),
+     "the submission has spin.cpp 2 times: 'a/spin.cpp' and 'b/spin.cpp'"),
     ("same_twice.tar", lambda p: write_tar(p, [tar_member(NAME), tar_member(NAME, b"//")], "w"),
-     "is there 2 times"),
+     "the submission has spin.cpp 2 times"),
     ("link.zip", lambda p: write_zip(p, [(NAME, b"/etc/passwd")], LINK), "is a symbolic link"),
     ("fifo.zip", lambda p: write_zip(p, [(NAME, GOOD)], FIFO), "not a regular file"),
     ("link.tar", lambda p: write_tar(p, [tar_member(NAME, kind=tarfile.SYMTYPE,
@@ -79,13 +79,13 @@ EVIL: list[tuple[str, Callable[[Path], object], Optional[str]]] = [
     ("archive.rar", lambda p: p.write_bytes(b"Rar!\x1a\x07\x01\x00" + bytes(90)), "neither"),
     ("zlib.tar", lambda p: p.write_bytes(zlib.compress(bytes(4000))), "neither"),
     ("missing.zip", lambda p: write_zip(p, [("Spin.CPP", GOOD)]),
-     "there is no spin.cpp in it; there is 'Spin.CPP'"),
+     "there is no spin.cpp in the submission; there is 'Spin.CPP'"),
     ("newline.zip", lambda p: write_zip(p, [("a\n\x1b[2J\u202e" * 30 + "/../" + NAME, GOOD)]),
      "leads out"),
     ("utf16", lambda p: text(p, GOOD.decode().encode("utf-16")), "it is UTF-16 text"),
     ("latin1", lambda p: text(p, b"// a\n// gr\xfc\xdfe\n"),
-     "not UTF-8: line 2 holds the byte 0xFC"),
-    ("nul", lambda p: text(p, b"int x;\0"), "it is no text: byte 7 is zero"),
+     "not UTF-8: line 2 has the byte 0xFC"),
+    ("nul", lambda p: text(p, b"int x;\0"), "it is not text: byte 7 is zero"),
 ]
 
 

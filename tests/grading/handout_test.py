@@ -96,7 +96,7 @@ class Content(unittest.TestCase):
                           ["handout", "x.tar.gz"], ["grade", "."]):
             done = subprocess.run([self.kit / "tumble", *arguments], text=True, capture_output=True)
             self.assertEqual(done.returncode, 1, arguments)
-            self.assertRegex(done.stderr, r"\Atumble: [^\n]*this is a hand-out: it has none\n\Z")
+            self.assertRegex(done.stderr, r"\Atumble: [^\n]*this is a hand-out, which has none\n\Z")
 
     def test_hints_and_demo_work_without_solutions(self) -> None:
         hint = subprocess.run([self.kit / "tumble", "hint", "1.1"], text=True, capture_output=True)
@@ -127,7 +127,8 @@ class BadInput(KitTestCase):
         stub.write_text(stub.read_text() + "double skew() { /* ; */ return 1.0; }\n")
         done = self.kit.tumble("handout", "x.tar.gz")
         self.assert_one_line(done, 1)
-        self.assertIn("labs/1_spin/spin.cpp is no stub: it holds 'double skew() {  return 1.0; }'",
+        self.assertIn("labs/1_spin/spin.cpp is not the untouched stub: it contains "
+                      "'double skew() {  return 1.0; }'; restore",
                       done.stderr)
         self.assertFalse((self.kit.root / "x.tar.gz").exists())
 

@@ -48,7 +48,7 @@ class Points(ClassTestCase):
         (self.folder / "binary.zip").write_bytes(b"PK\3\4 nonsense")
         done = self.grade()
         self.assertEqual(done.returncode, 0, done.stderr)
-        for student, words in (("empty", "not handed in: there is no spin.cpp in it"),
+        for student, words in (("empty", "not handed in: there is no spin.cpp in the submission"),
                                ("broken", "does not compile"), ("binary", "cannot be read")):
             self.assertEqual(self.results(student)["score"], 0)
             self.assertIn(words, self.results(student)["output"])

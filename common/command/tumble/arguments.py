@@ -49,7 +49,7 @@ def size(text: str) -> str:
     match = _SIZE.fullmatch(text)
     if not match or not all(16 <= int(side) <= 8192 for side in match.groups()):
         raise argparse.ArgumentTypeError(
-            f"{printable(text)} is not WIDTHxHEIGHT with sides from 16 to 8192, as in 1280x720")
+            f"{printable(text)} is not a size: give WIDTHxHEIGHT, sides from 16 to 8192")
     return text
 
 
@@ -62,14 +62,14 @@ def count(text: str) -> int:
 def shard(text: str) -> tuple[int, int]:
     parts = re.fullmatch(r"([1-9][0-9]{0,4})/([1-9][0-9]{0,4})", text)
     if not parts or int(parts.group(1)) > int(parts.group(2)):
-        raise argparse.ArgumentTypeError(f"{printable(text)} is not i/n with i from 1 to n")
+        raise argparse.ArgumentTypeError(f"{printable(text)} is not a part: give i/n as in 3/8")
     return int(parts.group(1)), int(parts.group(2))
 
 
 def make_parser() -> argparse.ArgumentParser:
     parser = Parser(prog="tumble", allow_abbrev=False, description=(
-        "Tumble: labs on rigid bodies and collisions. Exit codes: 0 ok, 1 failed, 2 bad usage, 3 "
-        "no grading: grader not to be trusted."))
+        "Tumble: labs on rigid bodies and collisions. Exit codes: 0 success, 1 failure, 2 bad "
+        "usage, 3 the grader failed its own check, so nobody was graded."))
     commands = parser.add_subparsers(metavar="COMMAND", required=True, parser_class=Parser)
 
     def command(name: str, module: str, text: str) -> argparse.ArgumentParser:
@@ -86,21 +86,21 @@ def make_parser() -> argparse.ArgumentParser:
         return new
 
     for name, text in (
-            ("demo", "install what is missing, build, draw every reference scene and chart"),
-            ("verify", "install what is missing, then prove the kit and its tests")):
+            ("demo", "install missing packages, build, draw every reference scene and chart"),
+            ("verify", "install missing packages, then check the kit and its tests")):
         new = command(name, name, text)
-        new.add_argument("--no-install", action="store_true", help="leave the packages alone")
+        new.add_argument("--no-install", action="store_true", help="install no packages")
         if name == "verify":
             new.add_argument("--all", action="store_true", help=(
-                "also what takes long: the grader's attacks, its judge, a class, other seeds, "
-                "Slurm, sanitizers"))
-    _add_test(lab_command("test", "checklist", "test your answer to lab N: a checklist by step"))
+                "also run the slow checks: attacks on the grader, its judge, a class, other "
+                "seeds, Slurm, sanitizers"))
+    _add_test(lab_command("test", "checklist", "test your answer to lab N and print a checklist"))
     lab_command("watch", "watch", "run lab N's tests again whenever you save; Ctrl-C ends it")
-    _add_hint(command("hint", "hints", "show a step's next hint: idea, then formula, then line"))
+    _add_hint(command("hint", "hints", "show a step's next hint: idea, formula, line of code"))
     _add_frames(lab_command("frames", "pictures", "draw lab N's scene: frames and film strip"))
     _add_chart(lab_command("chart", "pictures", "measure lab N's methods: error against time"))
-    command("doctor", "doctor", "say what is installed, what for, and what to do about the rest")
-    command("handout", "handout", "pack what students get").add_argument(
+    command("doctor", "doctor", "list what is installed, and how to get what is missing")
+    command("handout", "handout", "pack the files that students get").add_argument(
         "file", metavar="FILE.tar.gz")
     _add_grade(command("grade", "grade", "grade a folder of submissions"))
     return parser
@@ -108,70 +108,70 @@ def make_parser() -> argparse.ArgumentParser:
 
 def _add_grade(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("folder", metavar="DIR", nargs="?",
-                        help="a folder or an archive (zip, tar) in it for each student")
+                        help="holds one folder or archive (zip, tar) for each student")
     parser.add_argument("--labs", metavar="N,N", help="the labs to grade (default: all)")
-    parser.add_argument("--out", metavar="OUT", help="where results go (default: DIR-graded)")
+    parser.add_argument("--out", metavar="OUT", help="folder for results (default: DIR-graded)")
     parser.add_argument("--jobs", metavar="J", type=count, default=os.cpu_count() or 1,
-                        help="submissions at a time (default: as many as processors)")
-    parser.add_argument("--shard", metavar="i/n", type=shard, default=(1, 1), help="as in 3/8")
-    parser.add_argument("--resume", action="store_true", help="keep results that still hold")
+                        help="grade J submissions at a time (default: one per processor)")
+    parser.add_argument("--shard", metavar="i/n", type=shard, default=(1, 1), help="part i of n")
+    parser.add_argument("--resume", action="store_true", help="keep results that are still valid")
     parser.add_argument("--secret", metavar="FILE", help=(
-        "of the course; hidden inputs are drawn from it (default: the file TUMBLE_SECRET names)"))
-    parser.add_argument("--check", action="store_true", help="grade reference and stub alone")
+        "secret of the course; it seeds hidden inputs (default: the file TUMBLE_SECRET names)"))
+    parser.add_argument("--check", action="store_true", help="grade only reference and stub")
     parser.add_argument("--no-sandbox", action="store_true", help="unprotected; results say so")
 
 
 def _add_test(parser: argparse.ArgumentParser) -> None:
-    _add_answers(parser, "test this right answer of the kit; of several, one after the other")
+    _add_answers(parser, "test this correct answer of the kit, or several in turn")
     which = parser.add_mutually_exclusive_group()
     which.add_argument("--all", action="store_true", help="explain every failure")
     which.add_argument("--case", metavar="WORDS", help=(
-        "run the one case whose title holds these words, and show what your code prints"))
+        "run the one case whose title contains these words, and show what your code prints"))
     parser.add_argument("--debug", action="store_true",
-                        help="with --case: in gdb, stopped where your code is first called")
+                        help="with --case: run in gdb, and stop where your code is first called")
 
 
 def _add_answers(parser: argparse.ArgumentParser, text: str) -> None:
     hidden = argparse.SUPPRESS if is_handout(ROOT) else None
     which = parser.add_mutually_exclusive_group()
-    which.add_argument("--solution", action="store_true", help=hidden or "short for reference")
+    which.add_argument("--solution", action="store_true", help=hidden or "use the reference")
     which.add_argument("--answer", metavar="NAME[,NAME]", help=hidden or text)
 
 
 def _add_hint(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("step", metavar="N.S", help="lab and step, as in 1.2")
     which = parser.add_mutually_exclusive_group()
-    which.add_argument("--again", action="store_true", help="show what was shown, nothing new")
-    which.add_argument("--reset", action="store_true", help="forget what was shown")
+    which.add_argument("--again", action="store_true", help="show the same hints, no new one")
+    which.add_argument("--reset", action="store_true", help="hide the hints again")
 
 
 def _add_pictures(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--mesh", metavar="FILE.obj", action="append", default=[],
-                        help="of lab 5: your own mesh, or two, instead of the shapes there are")
-    _add_answers(parser, "draw this right answer of the kit; of several, the first in full and the "
-                 "others beside it")
-    parser.add_argument("--out", metavar="DIR", help="where pictures go (default: Tumble's out/)")
+                        help="lab 5 only: your own mesh; give one or two")
+    _add_answers(parser, "draw this correct answer of the kit; if you name several, the first is "
+                 "drawn in full and the others beside it")
+    parser.add_argument("--out", metavar="DIR", help="folder for pictures (default: Tumble's out/)")
 
 
 def _add_chart(parser: argparse.ArgumentParser) -> None:
     _add_pictures(parser)
     parser.add_argument("--peers", action="store_true", help=(
-        "draw other engines in, where they are installed (no command installs them): lab 2 "
+        "also measure other engines, if you have installed them (no command does it): lab 2 "
         "libbullet-dev, libode-dev; lab 5 libfcl-dev, libembree-dev, libcgal-dev"))
 
 
 def _add_frames(parser: argparse.ArgumentParser) -> None:
     _add_pictures(parser)
     moment = number_in(0.0, 1e6, "a time in seconds, zero or more")
-    parser.add_argument("--size", metavar="WxH", type=size, help="of a frame (default 1280x720)")
+    parser.add_argument("--size", metavar="WxH", type=size, help="frame size (default 1280x720)")
     rate = number_in(0.0, 240.0, "a number above 0 and up to 240", above_low=True)
-    parser.add_argument("--fps", metavar="F", type=rate, help="frames a second (default 25)")
-    parser.add_argument("--from", metavar="S", dest="start", type=moment, help="first moment [s]")
-    parser.add_argument("--to", metavar="S", dest="end", type=moment, help="last moment [s]")
-    parser.add_argument("--quality", choices=("draft", "film", "report"), help="default film")
-    parser.add_argument("--gif", action="store_true", help="film.gif, too, by ffmpeg")
-    parser.add_argument("--mp4", action="store_true", help="film.mp4, too, by ffmpeg")
-    parser.add_argument("--white", action="store_true", help="pure white page, for print")
+    parser.add_argument("--fps", metavar="F", type=rate, help="frames per second (default 25)")
+    parser.add_argument("--from", metavar="S", dest="start", type=moment, help="first time [s]")
+    parser.add_argument("--to", metavar="S", dest="end", type=moment, help="last time [s]")
+    parser.add_argument("--quality", choices=("draft", "film", "report"), help="default: film")
+    parser.add_argument("--gif", action="store_true", help="also write film.gif (needs ffmpeg)")
+    parser.add_argument("--mp4", action="store_true", help="also write film.mp4 (needs ffmpeg)")
+    parser.add_argument("--white", action="store_true", help="pure white background, for print")
 
 
 def main(arguments: Sequence[str]) -> int:

@@ -90,7 +90,7 @@ def configure(root: Path, preset: str, again: bool = False) -> None:
             ["cmake", "--preset", preset, *start], cwd=root, text=True, errors="replace",
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     if done.returncode != 0:
-        raise Failure(f"CMake cannot configure build/{preset}; see ./tumble doctor",
+        raise Failure(f"CMake cannot configure build/{preset}; type ./tumble doctor",
                       details=shortened(_cmake_errors(done.stdout), DIAGNOSTICS_LIMIT))
 
 
@@ -137,8 +137,8 @@ def require(root: Path, preset: str, targets: Sequence[str] = ()) -> None:
     unknown = _NO_TARGET.search(built.diagnostics)
     if unknown:
         raise Failure(f"there is no program {unknown.group(1)} in build/{preset}: this version or "
-                      "this machine cannot build it (./tumble doctor says what is missing)")
-    raise Failure(f"the build of build/{preset} failed (all of it: build/{preset}/build.log)",
+                      "this machine cannot build it; ./tumble doctor lists what is missing")
+    raise Failure(f"the build of build/{preset} failed (whole log: build/{preset}/build.log)",
                   details=shortened(built.diagnostics, DIAGNOSTICS_LIMIT))
 
 

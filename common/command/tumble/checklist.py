@@ -21,10 +21,10 @@ from .outcome import NOT_WRITTEN, PASS, explanation, outcome
 def run(root: Path, options: argparse.Namespace) -> int:
     lab = find_lab(root, options.lab)
     if options.debug and options.case is None:
-        raise Failure("--debug looks into one case: add --case WORDS", BAD_USAGE)
+        raise Failure("--debug runs one case: add --case WORDS", BAD_USAGE)
     if options.answer or options.solution:
         if options.case is not None:
-            raise Failure("--case looks into your own answer: leave out --answer", BAD_USAGE)
+            raise Failure("--case runs your own answer: leave out --answer", BAD_USAGE)
         return test_answers(root, lab, options)
     if options.case is not None:
         return look_into.run_one(root, lab, options.case, options.debug)
@@ -68,11 +68,11 @@ def _look_closer(root: Path, lab: Lab) -> int:
         say(coloured("All done.", "green") + f" Look at it: ./tumble frames {lab.number}"
             f" and ./tumble chart {lab.number}")
         if not looked_at:
-            say("(No sanitizers here: undefined behaviour was not looked for.)")
+            say("(The sanitizers do not run here, so undefined behaviour was not looked for.)")
         return 0
     found = findings[0]
     check = _checked(found.case)
-    lines = [coloured("All tests pass, but by undefined behaviour: ", "bold") + check.title]
+    lines = [coloured("All tests pass, but with undefined behaviour: ", "bold") + check.title]
     for label, text in explanation(check.case.output):
         if label in ASKED:
             lines += labelled(label, text, LABEL_WIDTH, wrap=False)

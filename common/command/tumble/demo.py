@@ -33,11 +33,11 @@ def run(root: Path, options: argparse.Namespace) -> int:
     index = page.write(root, demo.out)
     missing = [picture.target for picture in films + charts if picture not in demo.drawn]
     if missing:
-        say("", f"Not drawn: {', '.join(missing)}. ./tumble doctor says what this machine lacks.",
-            f"All the rest: {index}")
+        say("", f"Not drawn: {', '.join(missing)}. ./tumble doctor lists what is missing.",
+            f"All other pictures: {index}")
         return FAILED
     say("", coloured("Done.", "green") + f" Look at {index}",
-        "The charts are short ones; ./tumble chart N --solution measures one in full.")
+        "The charts come from short runs; ./tumble chart N --solution measures one in full.")
     return 0
 
 
@@ -45,8 +45,8 @@ def _prepare_handout(root: Path, options: argparse.Namespace) -> int:
     """A student's copy has no reference to draw, but needs the same packages."""
     if not options.no_install:
         packages.install_missing(root, proof=False)
-    say("This is a hand-out: it has no reference pictures to draw, only yours.",
-        "Begin with ./tumble test 1; ./tumble doctor says what is installed.")
+    say("This is a hand-out: it can draw your answer, but has no reference to draw.",
+        "Begin with ./tumble test 1; ./tumble doctor lists what is installed.")
     return 0
 
 
@@ -85,7 +85,7 @@ class Demo:
         say(f"{self._clock()}  {picture.lab.heading}: {picture.kind}")
         self.drawn.append(picture)
         if len(self.drawn) == 1:
-            say(f"      Open {index} now: it fills up while the rest is built; reload it.")
+            say(f"      Open {index} now. Reload it to see more while the rest is built.")
 
     def _clock(self) -> str:
         minutes, seconds = divmod(int(time.monotonic() - self._start), 60)

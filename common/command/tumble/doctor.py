@@ -18,7 +18,7 @@ RENDERER = "render/librender_scene.a"
 
 def run(root: Path, _options: argparse.Namespace) -> int:
     with Progress() as progress:
-        progress.show("looking at this machine")
+        progress.show("examining this machine")
         findings = examine()
     say(*report(findings), "")
     missing = [finding for finding in findings if not finding.usable]
@@ -59,10 +59,10 @@ def test_frame(root: Path, findings: Sequence[Finding]) -> list[str]:
     takes too long for a question. Without a frame, all but the pictures works."""
     usable = {finding.name for finding in findings if finding.usable}
     if "OpenGL" not in usable or not usable & {"OSMesa", "EGL"}:
-        return ["Pictures: none, there is no off-screen GL. Labs and tests work."]
+        return ["Pictures: none, because there is no off-screen GL. Labs and tests work."]
     if not (build.build_folder(root, "release") / RENDERER).exists():
         solution = "" if is_handout(root) else " --solution"
-        return [f"Pictures: not tried yet. ./tumble frames 1{solution} builds what draws them;",
+        return [f"Pictures: not tried yet. ./tumble frames 1{solution} builds the renderer;",
                 "after that ./tumble doctor draws a test frame."]
     try:
         build.require(root, "release", [FRAME_PROGRAM])
@@ -87,9 +87,9 @@ def advice(missing: Sequence[Finding]) -> list[str]:
         if finding.version:
             lines.append(f"{finding.name} {finding.version} is too old: {finding.newer}")
     absent = [finding for finding in missing if not finding.version]
-    for command, what in (("demo", "what is missing"), ("verify", "what ./tumble verify takes")):
+    for command, what in (("demo", "what is missing"), ("verify", "what ./tumble verify needs")):
         packages = " ".join(finding.package for finding in absent if finding.command == command)
         if packages:
-            lines += [f"To get {what}: ./tumble {command}, or by hand",
+            lines += [f"To install {what}: ./tumble {command}, or by hand",
                       f"  sudo apt-get install --no-install-recommends {packages}"]
     return lines

@@ -16,8 +16,8 @@ LABEL_WIDTH = 7
 _TAIL_LINES = 12
 _PRINTED_LINES = 20
 _USUAL_CRASH = ("usual causes are an index out of range, a reference kept while its vector grows, "
-                "an order for std::sort that is true for equals (<=), a function that calls itself "
-                "without end, and a missing return")
+                "a comparison for std::sort that is true for equals (<=), a function "
+                "that calls itself without end, and a missing return")
 
 
 class Checked(NamedTuple):
@@ -45,7 +45,7 @@ def what_was_not_run(failure: Checked, failures: Sequence[Checked]) -> list[str]
     if failure.outcome.word != TIMED_OUT:
         return []
     count = sum(other.step == failure.step and other.outcome.word == NOT_RUN for other in failures)
-    text = (f"{count} more cases of step {failure.step} were not run, since three had run out of "
+    text = (f"{count} more cases of step {failure.step} were not run, because three ran out of "
             "time")
     return labelled("", text, LABEL_WIDTH) if count else []
 
@@ -67,18 +67,19 @@ def explained(failure: Checked) -> list[str]:
 def _from_outside(failure: Checked) -> list[tuple[str, str]]:
     word, detail = failure.outcome
     if word == TIMED_OUT and detail == runner.WAITS:
-        return [("note", "it sleeps or waits for input; nothing here does: what does it wait for?")]
+        return [("note", "your code sleeps or waits for input, which no step needs: "
+                         "remove the call that waits")]
     if word == TIMED_OUT:
-        return [("note", "it did not end in time: look for a loop that cannot end, a "
-                         "missing return, or far too much work, as a copy at each call")]
+        return [("note", "it did not end in time: look for a loop that never ends, a "
+                         "missing return, or far too much work, such as a copy in each call")]
     if word == CRASHED:
         broken: Optional[str] = assertion(failure.case.output)
         why = f"this assert did not hold: {broken}; {_USUAL_CRASH}" if broken else _USUAL_CRASH
         return [("note", f"the program crashed ({detail}); {why}")]
     if word == ENDED_EARLY:
-        return [("note", "the program ended before the test did, as after a call of exit()")]
+        return [("note", "the program ended before the test did: does your code call exit()?")]
     if word == EXCEPTION:
-        return [("note", f"an exception came out: {detail}")]
+        return [("note", f"an exception was thrown: {detail}")]
     if word == NOT_RUN:
         return [("note", f"the test could not be run: {detail}")]
     output = failure.case.output

@@ -12,8 +12,8 @@ from typing import Sequence
 from .console import BAD_USAGE, FAILED, Failure, say
 from .labs import Lab, printable, require_solutions
 
-_WARNING = ("No secret was given (--secret FILE or TUMBLE_SECRET): a random one is kept in {}. "
-            "Keep that folder from students, and grade the same class with the same secret.")
+_WARNING = ("No secret was given (--secret FILE or TUMBLE_SECRET), so a random one is kept in {}. "
+            "Keep that folder from students, and use the same secret each time you grade.")
 
 
 def run(root: Path, options: argparse.Namespace) -> int:
@@ -58,18 +58,18 @@ def _run(root: Path, options: argparse.Namespace, labs: Sequence[Lab], folder: P
 
 def _folder(options: argparse.Namespace) -> Path:
     if options.check != (options.folder is None):
-        raise Failure("want a folder of submissions, or --check alone", BAD_USAGE)
+        raise Failure("give a folder of submissions, or --check and no folder", BAD_USAGE)
     if options.check and not options.out:
-        raise Failure("--check wants --out DIR, where secret and result are kept", BAD_USAGE)
+        raise Failure("--check needs --out DIR, the folder for secret and results", BAD_USAGE)
     if options.folder == "":
-        raise Failure("'' is no folder", BAD_USAGE)
+        raise Failure("the folder's name is empty", BAD_USAGE)
     return Path(options.folder or options.out).absolute()
 
 
 def _require_apart(folder: Path, out: Path) -> None:
     """Results among the submissions would be graded as a student the next time."""
     if folder.resolve() in out.resolve().parents:
-        raise Failure(f"--out {out} lies in the folder of submissions", BAD_USAGE)
+        raise Failure(f"--out {out} is inside the folder of submissions: choose another", BAD_USAGE)
 
 
 def _chosen(labs: Sequence[Lab], numbers: str | None) -> list[Lab]:
@@ -81,7 +81,7 @@ def _chosen(labs: Sequence[Lab], numbers: str | None) -> list[Lab]:
     chosen = []
     for number in numbers.split(","):
         if number not in known:
-            raise Failure(f"--labs: {printable(number)} has no table of points; those that do: "
+            raise Failure(f"--labs: {printable(number)} has no table of points; these have one: "
                           f"{', '.join(known)}", BAD_USAGE)
         chosen.append(known[number])
     return sorted(set(chosen))

@@ -37,7 +37,7 @@ def run(root: Path, options: argparse.Namespace) -> int:
     require_solutions(root, "handout")
     target = Path(options.file)
     if not target.name.endswith(_SUFFIX) or target.name == _SUFFIX:
-        raise Failure(f"'{target.name}' does not end in {_SUFFIX}", BAD_USAGE)
+        raise Failure(f"'{target.name}' does not end in {_SUFFIX}: add that", BAD_USAGE)
     labs = find_labs(root)
     for lab in labs:
         _require_stub(lab)
@@ -48,7 +48,7 @@ def run(root: Path, options: argparse.Namespace) -> int:
                      {_OVERVIEW: "README.md"})
     replace(target, content)
     if left_out:
-        say(f"Left out, since git does not track it: {', '.join(left_out)}")
+        say(f"Left out, because git does not track it: {', '.join(left_out)}")
     say(f"{target}: {len(files) - len(left_out)} files, {len(content) / 1e6:.1f} MB, "
         f"{len(labs)} labs, no solutions. To try it: tar xf {target.name} && cd {FOLDER} && "
         "./tumble test 1")
@@ -84,8 +84,8 @@ def _require_stub(lab: Lab) -> None:
     text = _EMPTY.sub("", _COMMENT.sub("", lab.stub.read_text(encoding="utf-8")))
     if ";" in text:
         rest = next(line.strip() for line in text.splitlines() if ";" in line)
-        raise Failure(f"labs/{lab.folder}/{lab.stub.name} is no stub: it holds '{rest[:60]}'; "
-                      "put the stub back first")
+        raise Failure(f"labs/{lab.folder}/{lab.stub.name} is not the untouched stub: it contains "
+                      f"'{rest[:60]}'; restore the stub first")
 
 
 def whole_kit(root: Path) -> list[str]:

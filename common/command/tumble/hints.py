@@ -31,7 +31,7 @@ class Section(NamedTuple):
 
 def run(root: Path, options: argparse.Namespace) -> int:
     if not _STEP.fullmatch(options.step):
-        raise Failure(f"{printable(options.step)} is not a step, as in 1.2", BAD_USAGE)
+        raise Failure(f"{printable(options.step)} is not a step: give one as in 1.2", BAD_USAGE)
     lab = find_lab(root, options.step.split(".")[0])
     sections = read_hints(lab)
     if options.step not in sections:
@@ -52,7 +52,7 @@ def run(root: Path, options: argparse.Namespace) -> int:
             _remember(memory, options.step, shown)
         except OSError:
             say(*_texts(options.step, section, len(section.hints)),
-                "All hints, since no note of what was shown can be kept: build/ cannot be written.")
+                "All hints are shown, because build/ cannot be written to note what you saw.")
             return 0
     say(*_told(options.step, section, shown))
     return 0
@@ -80,7 +80,7 @@ def flaws(lab: Lab) -> list[str]:
     for step, section in sections.items():
         kinds = tuple(hint.kind for hint in section.hints)
         if kinds != KINDS or not all(hint.text for hint in section.hints):
-            found.append(f"{lab.folder}/hints.md: step {step} has {kinds}, wants {KINDS} with text")
+            found.append(f"{lab.folder}/hints.md: step {step} has {kinds}, needs {KINDS} with text")
     return found
 
 

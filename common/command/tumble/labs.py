@@ -122,7 +122,7 @@ def chosen_answers(root: Path, lab: Lab, names: str) -> list[str]:
     chosen = names.split(",")
     for name in chosen:
         if name not in known:
-            raise Failure(f"--answer: lab {lab.number} has no {printable(name)}; there are "
+            raise Failure(f"--answer: lab {lab.number} has no {printable(name)}; it has "
                           + ", ".join(known), BAD_USAGE)
     if len(set(chosen)) < len(chosen):
         raise Failure(f"--answer: {printable(names)} names an answer twice", BAD_USAGE)
@@ -131,7 +131,7 @@ def chosen_answers(root: Path, lab: Lab, names: str) -> list[str]:
 
 def require_solutions(root: Path, what: str) -> None:
     if is_handout(root):
-        raise Failure(f"{what} needs the solutions, and this is a hand-out: it has none")
+        raise Failure(f"{what} needs the solutions, but this is a hand-out, which has none")
 
 
 def printable(text: str) -> str:

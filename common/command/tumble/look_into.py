@@ -18,7 +18,7 @@ _SHOWN = 8
 def run_one(root: Path, lab: Lab, words: str, debug: bool) -> int:
     """The case runs as it is, without a limit of time: Ctrl-C ends it."""
     if debug and not shutil.which("gdb"):
-        raise Failure("gdb is missing, which --debug needs: install the package gdb")
+        raise Failure("gdb is missing, and --debug needs it: install the package gdb")
     with build.locked(root, "dev"):
         program = answer.compiled(root, lab, "debug" if debug else "")
     step, title = find_case(program.with_name("cases.txt").read_text(encoding="utf-8"), words)
@@ -30,7 +30,7 @@ def run_one(root: Path, lab: Lab, words: str, debug: bool) -> int:
         os.execvp("gdb", ["gdb", "-q", *places, "-ex", "run", "--args", str(program), title])
     code = subprocess.run([str(program), title], cwd=root).returncode
     if code < 0:
-        say("", f"It ended by signal {-code}; gdb shows where: add --debug.")
+        say("", f"The program ended by signal {-code}. To see where, add --debug.")
     return 0 if code == 0 else FAILED
 
 
@@ -42,9 +42,9 @@ def find_case(listed: str, words: str) -> tuple[str, str]:
     if len(found) == 1:
         return found[0]
     if not found:
-        raise Failure(f"no case holds {printable(words)}; want a failure's title, or a part of it",
+        raise Failure(f"no case matches {printable(words)}: give a failure's title or a part",
                       BAD_USAGE)
     listing = [f"  {step}  {title}" for step, title in found[:_SHOWN]]
     more = [f"  and {len(found) - _SHOWN} more"] if len(found) > _SHOWN else []
-    raise Failure(f"{len(found)} cases hold {printable(words)}; which of them?", BAD_USAGE,
+    raise Failure(f"{len(found)} cases match {printable(words)}: give more of one title", BAD_USAGE,
                   details="\n".join(listing + more))

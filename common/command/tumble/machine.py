@@ -13,10 +13,10 @@ from typing import NamedTuple, Sequence
 _VERSION = re.compile(r"\d+(?:\.\d+)+")
 _OLDEST_COMPILER = {"gcc": 11, "clang": 14}
 _OLDEST_CMAKE = (3, 25)
-_NEWER_COMPILER = ("install a newer one beside it, as g++-12, and type CXX=g++-12 before the "
+_NEWER_COMPILER = ("install a newer one beside it, such as g++-12, and type CXX=g++-12 before the "
                    "command, as in CXX=g++-12 ./tumble test 1")
-_NEWER_CMAKE = ("this system's package stays so; python3 -m pip install --user cmake gets a newer "
-                "one, in ~/.local/bin, which must come first in PATH (or cmake.org has archives)")
+_NEWER_CMAKE = ("this system has no newer package; python3 -m pip install --user cmake gets one "
+                "in ~/.local/bin, which must come first in PATH (cmake.org has archives, too)")
 _FONTS = ("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/TTF/DejaVuSans.ttf",
           "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf")
 _INCLUDE_FLAGS = ("-I/usr/include/eigen3", "-I/usr/include/stb")

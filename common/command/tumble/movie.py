@@ -30,9 +30,9 @@ def make(film: Path, kind: str) -> str:
                "-i", str(film / "frame_%04d.png"), "-vf", _FILTERS[kind], *_CODECS[kind]]
     if not shutil.which("ffmpeg"):
         return (f"{target.name} needs ffmpeg, which is missing: install the package ffmpeg, then "
-                f"type the same again, or: {shlex.join([*command, str(target)])}")
+                f"type the same command again, or: {shlex.join([*command, str(target)])}")
     with Progress() as progress:
-        progress.show(f"{target.name} by ffmpeg")
+        progress.show(f"ffmpeg writes {target.name}")
         done = subprocess.run([*command, str(part)], stdin=subprocess.DEVNULL,
                               capture_output=True, text=True, errors="replace")
     if done.returncode != 0:

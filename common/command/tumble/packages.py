@@ -47,8 +47,8 @@ EGL_PACKAGES = (
 
 PROOF_PACKAGES = (
     Package("lld", "links faster: there is much to link", optional=True),
-    Package("bubblewrap", "boxes the files that are graded"),
-    Package("util-linux", "limits the files that are graded"),
+    Package("bubblewrap", "isolates the programs that are graded"),
+    Package("util-linux", "limits the programs that are graded"),
 )
 """What ./tumble verify takes beside them; a hand-out, which proves nothing, does without."""
 
@@ -71,8 +71,8 @@ def install_missing(root: Path, proof: bool = True) -> None:
         return
     if not shutil.which("apt-get"):
         raise Failure(f"{_count(missing)} missing, and there is no apt-get to install them with",
-                      remedy="install what these are called here, then add --no-install to the "
-                             f"command: {_names(missing)}")
+                      remedy="install these by this system's package manager (names may differ), "
+                             f"then add --no-install to the command: {_names(missing)}")
     prefix = root_prefix(missing)
     (root / _LOG).parent.mkdir(exist_ok=True)
     with Progress() as progress, open(root / _LOG, "w", encoding="utf-8") as record:
@@ -103,11 +103,11 @@ def root_prefix(missing: Sequence[Package]) -> list[str]:
     if os.geteuid() == 0:
         return []
     if not shutil.which("sudo"):
-        raise Failure(f"{_count(missing)} missing; installing takes root, and there is no sudo",
+        raise Failure(f"{_count(missing)} missing; installing needs root, and there is no sudo",
                       remedy=f"as root, type: {_by_hand(missing)}")
     print("tumble: installing packages; sudo may ask for your password", file=sys.stderr)
     if subprocess.run(["sudo", "true"]).returncode != 0:
-        raise Failure(f"{_count(missing)} missing; installing takes root, and sudo refuses",
+        raise Failure(f"{_count(missing)} missing; installing needs root, and sudo refuses",
                       remedy=f"as root, type: {_by_hand(missing)}")
     return ["sudo"]
 
@@ -121,7 +121,7 @@ def _available(packages: Sequence[Package]) -> list[Package]:
 def _refused(packages: Sequence[Package], why: str) -> Failure:
     sudo = "" if os.geteuid() == 0 else "sudo "
     return Failure(f"{_count(packages)} missing, and apt-get failed: {why} (more: {_LOG})", remedy=(
-        f"once that is solved, type the same again, or: {sudo}{_by_hand(packages)}"))
+        f"when that is solved, type the same command again, or: {sudo}{_by_hand(packages)}"))
 
 
 def _by_hand(packages: Sequence[Package]) -> str:

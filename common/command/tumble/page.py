@@ -133,7 +133,7 @@ def _chart(lab: Lab, chart: Chart, command: str, out: Path) -> str:
         picture = (f'<a class="card" href="{url}"><img src="{url}" loading="lazy" '
                    f'alt="{escape(alt, quote=True)}"></a>')
     else:
-        picture = '<p class="card empty">Measured, not drawn: gnuplot is missing.</p>'
+        picture = '<p class="card empty">Measured but not drawn, because gnuplot is missing.</p>'
     files = ", ".join(f'<a href="{_url(file, out)}">{escape(file.name)}</a>'
                       for file in chart.files)
     return (f'<figure><p class="whose">{whose}</p>{picture}\n<figcaption>{_missing(chart.missing)}'
@@ -143,7 +143,8 @@ def _chart(lab: Lab, chart: Chart, command: str, out: Path) -> str:
 def _missing(names: Sequence[str]) -> str:
     if not names:
         return ""
-    return f'<p class="missing">Left out, not written yet or broken: {escape(", ".join(names))}</p>'
+    return (f'<p class="missing">Left out, because not written yet or broken: '
+            f'{escape(", ".join(names))}</p>')
 
 
 def _command(command: str) -> str:

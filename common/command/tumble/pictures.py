@@ -106,7 +106,7 @@ def _meshes(lab: Lab, files: Sequence[str]) -> list[str]:
     if not (lab.path / "own_meshes.hpp").exists():
         raise Failure(f"lab {lab.number} has no meshes: --mesh is for lab 5", BAD_USAGE)
     if len(files) > 2:
-        raise Failure(f"--mesh: want one or two files, got {len(files)}", BAD_USAGE)
+        raise Failure(f"--mesh: give one or two files, not {len(files)}", BAD_USAGE)
     return [part for file in files for part in ("--mesh", file)]
 
 

@@ -16,15 +16,15 @@ _ADDRESS = re.compile(r"ERROR: AddressSanitizer: ([\w-]+)")
 _UNDEFINED = re.compile(r"^(\S+?):(\d+):\d+: runtime error: (.+)$", re.MULTILINE)
 _OPTIONS = {"ASAN_OPTIONS": "detect_leaks=0:detect_stack_use_after_return=1"}
 _MEANING = {
-    "heap-use-after-free": "memory is used that has been given back: a reference into a vector "
-                           "that has grown since?",
-    "stack-use-after-scope": "a variable is used whose block has ended: an auto that refers to "
-                             "what a function returned?",
-    "stack-use-after-return": "a variable is used whose function has returned: a reference to it "
-                              "that is returned?",
-    "heap-buffer-overflow": "an index is beyond what a vector holds",
-    "stack-buffer-overflow": "an index is beyond an array's end",
-    "global-buffer-overflow": "an index is beyond an array's end",
+    "heap-use-after-free": "your code uses memory that was freed: do you keep a reference into a "
+                           "vector that has grown since?",
+    "stack-use-after-scope": "your code uses a variable whose block has ended: does an auto "
+                             "refer to what a function returned?",
+    "stack-use-after-return": "your code uses a variable whose function has returned: do you "
+                              "return a reference to it?",
+    "heap-buffer-overflow": "an index is past the end of a vector",
+    "stack-buffer-overflow": "an index is past the end of an array",
+    "global-buffer-overflow": "an index is past the end of an array",
     "stack-overflow": "a function calls itself without end",
 }
 
@@ -79,8 +79,8 @@ def _finding(lab: Lab, case: Case) -> Finding:
     if undefined:
         own = undefined.group(1).endswith(f"/{lab.stub.name}")
         return Finding(case, int(undefined.group(2)) if own else 0, undefined.group(3))
-    return Finding(case, 0, "compiled otherwise, it gives another answer: a variable that is never "
-                            "set, or a function without its return?")
+    return Finding(case, 0, "compiled with other options, it gives another answer: is a variable "
+                            "never set, or does a function lack its return?")
 
 
 def _line_of(lab: Lab, report: Sequence[str]) -> int:

@@ -45,8 +45,8 @@ def run(root: Path, options: argparse.Namespace) -> int:
 
 def _prove_by_sanitizers(root: Path) -> int:
     if not shutil.which("clang++"):
-        say("The sanitizers are left out: clang++ is missing (packages clang, libclang-rt-14-dev "
-            "or libclang-rt-19-dev).")
+        say("The sanitizers were not run, because clang++ is missing: install clang, and "
+            "libclang-rt-14-dev or libclang-rt-19-dev.")
         return FAILED
     say(coloured("Under clang's address and undefined-behaviour sanitizers", "bold"))
     return _prove(root, "sanitize", ["-L", "^(right|kit)$", "-E", _WITHOUT_SANITIZERS])

@@ -34,7 +34,7 @@ def _test_once(root: Path, lab: Lab) -> None:
         test_lab(root, lab)
     except Failure as failure:  # a file that does not compile is the rule while one writes
         say(str(failure))
-    say("", f"Watching labs/{lab.folder}/{lab.stub.name}; Ctrl-C ends.")
+    say("", f"Watching labs/{lab.folder}/{lab.stub.name}; Ctrl-C ends it.")
     sys.stdout.flush()
 
 

@@ -46,7 +46,7 @@ def main() -> int:
 def _pack(arguments: argparse.Namespace) -> None:
     known = {str(lab.number) for lab in graded_labs(ROOT)}
     if not set(arguments.labs.split(",")) <= known:
-        raise Failure(f"--labs {arguments.labs}: want some of {', '.join(sorted(known))}",
+        raise Failure(f"--labs {arguments.labs}: give some of {', '.join(sorted(known))}",
                       BAD_USAGE)
     if not re.search(r"\S{16}", arguments.secret.read_text(encoding="ascii", errors="replace")):
         raise Failure(f"the secret in {arguments.secret} is shorter than 16 bytes", BAD_USAGE)

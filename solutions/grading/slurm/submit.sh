@@ -7,7 +7,7 @@
 # environment: SBATCH_PARTITION, SBATCH_ACCOUNT.
 set -euo pipefail
 if [ $# -lt 4 ] || ! [[ $1 =~ ^[1-9][0-9]{0,3}$ ]] || [ ! -d "$2" ] || [ ! -r "$4" ]; then
-  echo "submit.sh: want PARTS (1 to 9999) DIR OUT SECRET [options], DIR and SECRET readable" >&2
+  echo "submit.sh: give PARTS (1 to 9999) DIR OUT SECRET [options], with DIR and SECRET readable" >&2
   exit 2
 fi
 parts=$1

@@ -160,5 +160,6 @@ def _judged(setting: Setting, exam: Exam, file: Taken) -> LabResult:
         error = failure
     except Exception as failure:  # one submission must not end the class
         error = failure
-    return ungraded(exam.lab, exam.table, GRADER_ERROR, "the grader failed on this file, not you",
-                    file.notes, [f"{type(error).__name__}: {error}"])
+    return ungraded(exam.lab, exam.table, GRADER_ERROR,
+                    "the grader failed on this file; this is not your mistake", file.notes,
+                    [f"{type(error).__name__}: {error}"])

@@ -70,7 +70,7 @@ def _run_ctest(run: Run, cases: Sequence[tuple[str, str]],
         raise Failure("CTest ran no tests", details=done.stdout[-2000:])
     found = ctest.read_junit(junit.read_bytes(), ctest.reasons(done.stdout.splitlines()))
     if Counter(case.name for case in found) != Counter(names):
-        raise Failure(f"CTest has run {len(found)} cases, not the {len(names)} that it was told")
+        raise Failure(f"CTest ran {len(found)} cases instead of {len(names)}")
     return found
 
 

@@ -66,8 +66,8 @@ def _read(file: Path) -> Tools:
         facts = json.loads(file.read_text(encoding="utf-8"))
         compiler = Path(facts["compiler"]).resolve()
         if "ccache" in compiler.name:
-            raise Failure(f"{facts['compiler']} is ccache, through which one student's file could "
-                          "change another's: name a compiler by CXX")
+            raise Failure(f"{facts['compiler']} is ccache, which lets one student's file change "
+                          "the result of another: set CXX to a compiler")
         return Tools(compiler, Path(facts["test"]), _words(facts["strict"]), Path(facts["driver"]),
                      Path(facts["library"]), Path(facts["eigen"]), _words(facts["options"]))
     except (OSError, ValueError, KeyError) as error:
@@ -106,7 +106,7 @@ def compile_driver(lab: Lab, tools_: Tools, kit: Path, program: Path, sandbox: S
     if code is None:
         raise Failure(f"the compiler did not end within {_SECONDS} s: is this machine too busy?")
     if code != 0 or not _take(out / "program", program):
-        return Compiled(False, said or "the compiler was stopped at a limit: time, memory or size")
+        return Compiled(False, said or "the compiler was stopped: too much time, memory or output")
     return Compiled(True, said)
 
 

@@ -7,7 +7,7 @@ from typing import Sequence
 from .score import GRADED, LabResult, StepResult
 from .verdicts import BLOCKED, NOT_WRITTEN, PASS
 
-_UNBOXED = "Graded without the sandbox: for a look only."
+_UNBOXED = "Graded without the sandbox: this result is only a preview."
 
 
 def results(labs: Sequence[LabResult]) -> dict:
@@ -44,7 +44,7 @@ def summary(lab: LabResult) -> str:
 
 def flaw_line(lab: LabResult) -> str:
     return (f"{lab.deduction} points: the sanitizers found undefined behaviour ({lab.flaw}). "
-            "Whatever a program with it answers, it answers by chance.")
+            "The answers of such a program are a matter of chance.")
 
 
 def step_lines(step: StepResult) -> list[str]:
@@ -54,7 +54,7 @@ def step_lines(step: StepResult) -> list[str]:
         return [step.word]
     lines = [f"{passed} of {len(step.cases)} tests pass"]
     if step.word.startswith(BLOCKED):
-        lines.append(f"{step.word}: put that right first, this one may be right")
+        lines.append(f"{step.word}: correct that step first; this one may be right")
     told = {""}
     for case in step.cases:
         if case.word != PASS:

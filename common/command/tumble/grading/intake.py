@@ -67,7 +67,7 @@ def _twice(same: Sequence[Path]) -> str:
     if len(same) == 1:
         return ""
     names = " and ".join(ascii(path.name) for path in same)
-    return f"there are {len(same)} submissions of one name, {names}: which one counts?"
+    return f"there are {len(same)} submissions with one name, {names}: keep one of them"
 
 
 def take(submission: Submission, names: Sequence[str]) -> dict[str, Taken]:
@@ -106,13 +106,13 @@ def checked(text: bytes, notes: Sequence[str] = ()) -> Taken:
             return Taken(None, f"it is {name} text: save it as UTF-8", notes)
     if text.startswith(_BOM):
         text = text[len(_BOM):]
-        notes = [*notes, "a byte-order mark before the text was ignored: save it as plain UTF-8"]
+        notes = [*notes, "the byte-order mark was ignored: save the file as UTF-8 without it"]
     if b"\0" in text:
-        return Taken(None, f"it is no text: byte {text.index(0) + 1} is zero", notes)
+        return Taken(None, f"it is not text: byte {text.index(0) + 1} is zero", notes)
     try:
         text.decode("utf-8")
     except UnicodeDecodeError as error:
         line = text.count(b"\n", 0, error.start) + 1
-        return Taken(None, f"it is not UTF-8: line {line} holds the byte 0x{text[error.start]:02X}",
+        return Taken(None, f"it is not UTF-8: line {line} has the byte 0x{text[error.start]:02X}",
                      notes)
     return Taken(text, "", notes)

@@ -26,7 +26,7 @@ _ADVICE = (
     ("processes, signals or files", re.compile(
         rb"\b(?:fork|vfork|clone|exec[lv]p?e?|kill|ptrace|signal|sigaction|mmap|mprotect|dlopen|"
         rb"open|socket|syscall|_exit|_Exit|quick_exit|atexit|system|popen)\s*\(")),
-    ("headers of the system", re.compile(rb"#\s*include\s*<(?:sys|linux|asm|arpa|netinet)/|"
+    ("system headers", re.compile(rb"#\s*include\s*<(?:sys|linux|asm|arpa|netinet)/|"
                                          rb"#\s*include\s*<(?:unistd|fcntl|dlfcn|csignal)")),
     ("the names of the grader", re.compile(rb"\bgrading\b|TUMBLE_|Catch(?:::|2)|/driver")),
 )
@@ -69,7 +69,7 @@ def _require_cases(built: Tools, expected: Sequence[tuple[str, str]]) -> None:
     wanted = sorted(title for _, title in expected)
     if titles != wanted or len(set(wanted)) != len(wanted):
         odd = set(titles) ^ set(wanted) or {"a title twice"}
-        raise Failure(f"the program of the tests and their sources disagree: {sorted(odd)[:3]}")
+        raise Failure(f"the test program and its sources have different cases: {sorted(odd)[:3]}")
 
 
 def _command_file(work: Path, name: str, sandbox: Sandbox, sanitized: bool) -> Path:
@@ -99,7 +99,7 @@ def _sanitize(lab: Lab, built: Tools, work: Path, seed: int, sandbox: Sandbox,
         return ""
     compiled = compile_driver(lab, built, work / "kit", work / "sanitized", sandbox, True)
     if not compiled.ok:
-        notes.append("the sanitizers could not be asked: the file does not compile with them")
+        notes.append("the sanitizers could not run: the file does not compile with them")
         return ""
     run = Run(built, _command_file(work, "sanitized", sandbox, True), sandbox.boxed, seed,
               work / "sanitized-run", keeps_words=True)
@@ -107,7 +107,7 @@ def _sanitize(lab: Lab, built: Tools, work: Path, seed: int, sandbox: Sandbox,
     report = report_of_sanitizers(run, len(chosen))
     for before, after in zip(chosen, outcomes):
         if not report and before.word == PASS and after.word == CRASH:
-            report = f"undefined behaviour: it passes '{before.case}', and ends with sanitizers"
+            report = f"undefined behaviour: '{before.case}' passes, but crashes with sanitizers"
     return report
 
 

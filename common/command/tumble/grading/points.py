@@ -66,20 +66,20 @@ def read_table(root: Path, lab: Lab) -> Table:
 
 def _flaw(table: Table, titles: Mapping[str, str]) -> str:
     if list(table.steps) != list(titles):
-        return f"it has the steps {', '.join(table.steps)}, the handout {', '.join(titles)}"
+        return f"it has the steps {', '.join(table.steps)}; the handout has {', '.join(titles)}"
     for number, step in table.steps.items():
         if not _is_count(step.points) or step.points == 0 or not isinstance(step.bonus, bool):
-            return f"step {number} wants points above zero and bonus true or false"
+            return f"step {number} needs points above zero, and bonus true or false"
         for other in step.depends_on:
             if other not in table.steps or _order(other) >= _order(number):
-                return f"step {number} depends on {other}, which is no earlier step"
+                return f"step {number} depends on {other}, which is not an earlier step"
         if step.bonus != titles[number].startswith("Challenge"):
-            return f"step {number} must be a bonus where the handout calls it a challenge"
+            return f"step {number} must be a bonus if the handout calls it a challenge, else not"
     total = sum(step.points for step in table.steps.values() if not step.bonus)
     if total != FULL:
         return f"its points add up to {total}, not to {FULL}"
     if not _is_count(-table.undefined_behaviour):
-        return "undefined_behaviour wants a whole number, zero or less"
+        return "undefined_behaviour must be a whole number, zero or less"
     return ""
 
 

@@ -10,10 +10,10 @@ from .gradescope import flaw_line, step_lines
 from .score import GRADED, LabResult, StepResult
 from .verdicts import NOT_WRITTEN, PASS
 
-_HOW = """<footer><p>A step earns its points when every one of its tests passes, twice, each time
-with other random inputs than those of <code>./tumble test</code>. The tests are the same.</p>
-<p>A test that passes on your machine and fails here points to numbers written down from a test, to
-memory that is read before it is written, or to an index out of range.</p></footer>"""
+_HOW = """<footer><p>You get the points of a step if all its tests pass twice, each time with random
+inputs other than those of <code>./tumble test</code>. The tests are the same.</p>
+<p>If a test passes on your machine and fails here, the usual causes are numbers copied from a test,
+memory that is read before it is written, and an index out of range.</p></footer>"""
 _TEMPLATE = Path(__file__).with_name("page.html")
 
 
@@ -40,7 +40,7 @@ def _lab(lab: LabResult) -> str:
     if lab.status != GRADED:
         parts.append(f'<p class="alarm">{escape(_capital(lab.status))}: {escape(lab.problem)}.</p>')
     if not lab.sandboxed:
-        parts.append('<p class="alarm">Graded without the sandbox: for a look only.</p>')
+        parts.append('<p class="alarm">Graded without the sandbox: only a preview.</p>')
     parts += [f'<p class="alarm">{escape(_capital(note))}.</p>' for note in lab.notes]
     if lab.flaw:
         parts.append(f'<p class="alarm">{escape(flaw_line(lab)).replace("-", "−", 1)}</p>')

@@ -91,7 +91,7 @@ class Sandbox:
             done = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                                   stderr=subprocess.PIPE, text=True, errors="replace", timeout=30)
         except subprocess.TimeoutExpired:
-            raise Failure("bubblewrap does not come up, so no student's file is run", NO_SANDBOX
+            raise Failure("bubblewrap does not start, so no student's file is run", NO_SANDBOX
                           ) from None
         if done.returncode != 0:
             words = (done.stderr.strip().splitlines() or [f"exit code {done.returncode}"])[0]

@@ -96,7 +96,8 @@ def graded(lab: Lab, table: Table, expected: Sequence[tuple[str, str]], judged: 
             diagnostics=clean(judged.diagnostics), sandboxed=judged.sandboxed)
     error = disagreement(expected, judged.cases, seeds)
     if error:
-        return ungraded(lab, table, GRADER_ERROR, "the grader failed on this file, not you", notes,
+        return ungraded(lab, table, GRADER_ERROR,
+                        "the grader failed on this file; this is not your mistake", notes,
                         [*remarks, error])._replace(sandboxed=judged.sandboxed)
     if judged.sanitizer:
         remarks.append(f"{SANITIZERS}: {clean(judged.sanitizer)}")
@@ -112,15 +113,15 @@ def disagreement(expected: Sequence[tuple[str, str]], cases: Sequence[CaseOutcom
     counts: dict[tuple[str, str], int] = {case: 0 for case in expected}
     for case in cases:
         if (case.step, case.case) not in counts:
-            return f"the judge has a case that the tests have not: {case.step} {case.case}"
+            return f"the judge reports a case that the tests do not have: {case.step} {case.case}"
         if case.word not in WORDS and not _BLOCKED.fullmatch(case.word):
-            return f"the judge says '{case.word}' of {case.step} {case.case}"
+            return f"the judge gives the unknown word '{case.word}': {case.step} {case.case}"
         if case.word == GRADER_ERROR:
             return f"the judge failed on {case.step} {case.case}: {case.detail}"
         counts[case.step, case.case] += 1
     if len(set(counts.values())) != 1 or not set(counts.values()) <= {1, seeds}:
         odd = next((f"{step} {title}: {count}" for (step, title), count in counts.items()
-                    if count not in (1, seeds)), "some once, some more often")
+                    if count not in (1, seeds)), "some once, some several times")
         return f"the judge does not have every case once or {seeds} times: {odd}"
     return ""
 

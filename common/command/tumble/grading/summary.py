@@ -89,7 +89,7 @@ def _lab_chart(lab: Lab, results: Sequence[LabResult]) -> str:
         said = (f"{len(scores)} handed in, median {statistics.median(scores):g}, "
                 f"mean {statistics.fmean(scores):.1f} of {results[0].most} points")
     return (f"<div><h2>{escape(lab.heading)}</h2><p>{said}</p>{histogram(scores)}"
-            f"<h3>Who has which step</h3>{_steps(results)}</div>")
+            f"<h3>Students who passed each step</h3>{_steps(results)}</div>")
 
 
 def histogram(scores: Sequence[int]) -> str:

@@ -65,10 +65,10 @@ class Finder:
         if not found:
             near = [path for path in self.others if path.lower().endswith(name.lower())]
             hint = f"; there is {shown(near[0])}" if near else ""
-            return {"missing": f"there is no {name} in it{hint}"}
+            return {"missing": f"there is no {name} in the submission{hint}"}
         if len(found) > 1:
             places = " and ".join(shown(where) for where, _, _ in found[:2])
-            return {"problem": f"{name} is there {len(found)} times: {places}"}
+            return {"problem": f"the submission has {name} {len(found)} times: {places}"}
         where, text, problem = found[0]
         if problem:
             return {"problem": f"{shown(where)}: {problem}"}

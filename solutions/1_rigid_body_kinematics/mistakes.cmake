@@ -124,7 +124,7 @@ add_mutant(${lab} nearest_may_reflect 1.4 "if (det < 0.0)" "if (det > 2.0)" "a r
 
 # The determinant is mended in the first column that comes to mind.
 add_mutant(${lab} nearest_mends_the_greatest 1.4
-  "U.col(2) = -U.col(2)" "U.col(0) = -U.col(0)" "greatest singular value gives way")
+  "U.col(2) = -U.col(2)" "U.col(0) = -U.col(0)" "greatest singular value is flipped")
 
 # Any way to orthonormal columns is believed to give the nearest.
 add_mutant(${lab} nearest_by_gram_schmidt 1.4 "return U * V.transpose();"

@@ -15,7 +15,7 @@ add_mutant(${lab} acceleration_without_term 2.1
 # The inverse is applied to the torque alone.
 add_mutant(${lab} acceleration_half_inverted 2.1
   "common::inverse(inertia) * (torque - omega.cross(inertia * omega))"
-  "common::inverse(inertia) * torque - omega.cross(inertia * omega)" "too, goes through")
+  "common::inverse(inertia) * torque - omega.cross(inertia * omega)" "not multiplied by the inverse")
 
 # A determinant that is small is believed to be that of a singular matrix.
 add_mutant(${lab} acceleration_small_determinant 2.1
@@ -194,7 +194,7 @@ Spin step_about_axis"
   return next;
 }
 
-Spin step_about_axis" "the trap")
+Spin step_about_axis" "turns once by the mean")
 
 # Every quaternion is believed to need normalising.
 add_mutant(${lab} rk4_with_unit_stages 2.4
@@ -278,11 +278,11 @@ add_mutant(${lab} splitting_one_way 2.5
 
 # Weight is believed to point along +z.
 add_mutant(${lab} weight_points_up 2.6
-  "Vec3(0.0, 0.0, -1.0)" "Vec3(0.0, 0.0, 1.0)" "weight points down")
+  "Vec3(0.0, 0.0, -1.0)" "Vec3(0.0, 0.0, 1.0)" "the weight points down")
 
 # Down is turned as if q led from the world to the body.
 add_mutant(${lab} down_turned_backwards 2.6
-  "world_from_body.conjugate() * Vec3" "world_from_body * Vec3" "the wrong way: want R^T")
+  "world_from_body.conjugate() * Vec3" "world_from_body * Vec3" "the wrong way: use R^T")
 
 # The torque is made in the world and used in the body.
 add_mutant(${lab} torque_in_the_world 2.6
@@ -292,7 +292,7 @@ add_mutant(${lab} torque_in_the_world 2.6
 
 # Each kick is made whole.
 add_mutant(${lab} kicks_of_a_whole_step 2.6
-  "0.5 * dt * torque" "dt * torque" "want dt/2")
+  "0.5 * dt * torque" "dt * torque" "last dt/2")
 
 # Whole numbers are believed to be divided like any others.
 add_mutant(${lab} kicks_half_in_whole_numbers 2.6
@@ -331,7 +331,7 @@ add_mutant(${lab} prediction_with_omega_on_the_right 2.7
 add_mutant(${lab} projection_by_the_square 2.7
   "  Quat q(q_pred.coeffs() / greatest);  // a square neither over- nor underflows now
   q.normalize();"
-  "  Quat q(q_pred.coeffs() / q_pred.squaredNorm());" "want |q|")
+  "  Quat q(q_pred.coeffs() / q_pred.squaredNorm());" "divided by |q|^2")
 
 # The square of a long or a short quaternion is taken as it comes.
 add_mutant(${lab} projection_underflows 2.7
@@ -358,7 +358,7 @@ add_mutant(${lab} prediction_by_old_velocity 2.7
 add_mutant(${lab} moments_scaled_themselves 2.8
   "const Vec3 inverse = (1.0 + correction.scale) * moments.cwiseInverse();
   return (inverse + Vec3::Constant(correction.shift)).cwiseInverse();"
-  "return (1.0 + correction.scale) * moments + Vec3::Constant(correction.shift);" "want their inverses")
+  "return (1.0 + correction.scale) * moments + Vec3::Constant(correction.shift);" "shift their inverses")
 
 # The increment that belongs to the momentum at the end of the step.
 add_mutant(${lab} increment_of_the_end 2.8
@@ -388,7 +388,7 @@ add_mutant(${lab} momentum_of_corrected_moments 2.8
   "momentum_body(corrected_moments(moments, correction), spin), dt);
   const Vec3 tilde = corrected_moments(moments, correction);
   const Vec3 m = p.conjugate() * momentum_body(tilde, spin);
-  return {(spin.world_from_body * p).normalized(), m.cwiseQuotient(tilde)};" "want the body's own")
+  return {(spin.world_from_body * p).normalized(), m.cwiseQuotient(tilde)};" "use the body's own")
 
 # Energy and momentum are remembered without their halves.
 add_mutant(${lab} correction_without_halves 2.8

@@ -54,7 +54,7 @@ add_mutant(${lab} gradient_zero_on_axis 3.1
 # Division by something small is feared.
 add_mutant(${lab} gradient_up_near_axis 3.1
   "if (distance == 0.0) return Vec3::UnitY();" "if (distance < 1e-9) return Vec3::UnitY();"
-  "near the axis is taken for on it")
+  "near the axis is taken for one on it")
 
 # NaN and infinity are left to spread.
 add_mutant(${lab} gap_unchecked 3.1
@@ -70,7 +70,7 @@ add_mutant(${lab} contact_with_tolerance 3.2 "if (phi > 0.0)" "if (phi > 1e-9)" 
 
 # Whoever asks for a contact gets one.
 add_mutant(${lab} contact_always 3.2
-  "if (phi > 0.0) return std::nullopt;" "" "returned where the surfaces are apart")
+  "if (phi > 0.0) return std::nullopt;" "" "returned although the surfaces are apart")
 
 # The normal is taken from the particle to the cylinder.
 add_mutant(${lab} contact_normal_reversed 3.2
@@ -142,7 +142,7 @@ add_mutant(${lab} batch_grows 3.3 "  indices.reserve(
 add_mutant(${lab} batch_of_small_lists 3.3
   "if (touches(positions[i])) indices.push_back(i);"
   "const std::vector<Vec3> one{positions[i]};
-    if (touches(one.front())) indices.push_back(i);" "memory is taken for each particle")
+    if (touches(one.front())) indices.push_back(i);" "memory is allocated for each particle")
 
 # ---- 3.4 ----
 
@@ -215,7 +215,7 @@ add_mutant(${lab} triangle_by_edges 3.5
 # Two edges have all three corners, so they are believed to be enough.
 add_mutant(${lab} triangle_of_two_edges 3.5
   "const EdgePoint ca = nearest_on_edge(c, a);"
-  "const EdgePoint ca{std::max(ab.distance, bc.distance), 0.0};" "never looked at")
+  "const EdgePoint ca{std::max(ab.distance, bc.distance), 0.0};" "never checked")
 
 # Corners are believed to go round one way only.
 add_mutant(${lab} triangle_of_one_winding 3.5
@@ -267,7 +267,7 @@ add_mutant(${lab} sheet_indices_unchecked 3.6
 # A cloth's thickness is left out of its margin.
 add_mutant(${lab} margin_without_particle_radius 3.6
   "std::hypot(rho, 0.5 * longest_edge)" "std::hypot(cylinder.radius, 0.5 * longest_edge)"
-  "R stands where rho")
+  "R is used instead of rho")
 
 # The root of a sum of squares, as it is written.
 add_mutant(${lab} margin_by_squares 3.6
@@ -276,12 +276,12 @@ add_mutant(${lab} margin_by_squares 3.6
 
 # A whole edge is put where half of one belongs.
 add_mutant(${lab} margin_of_whole_edge 3.6
-  "std::hypot(rho, 0.5 * longest_edge)" "std::hypot(rho, longest_edge)" "h stands where h/2")
+  "std::hypot(rho, 0.5 * longest_edge)" "std::hypot(rho, longest_edge)" "h is used instead of h/2")
 
 # It is believed to be enough that no edge sinks.
 add_mutant(${lab} margin_without_triangles 3.6
   "std::max(edge_touches, triangle_pierced) - rho" "edge_touches - rho + 0.0 * triangle_pierced"
-  "great triangle is forgotten")
+  "large triangle is forgotten")
 
 # The distance from the axis is taken for the gap.
 add_mutant(${lab} margin_from_the_axis 3.6

@@ -265,7 +265,7 @@ add_mutant(${lab} batch_of_none_not_checked 4.5
   common::require_positive(r, \"particle radius\");
   common::require_positive(cylinder.radius, \"cylinder radius\");
   common::require_not_negative(dt, \"dt\");
-  std::vector" "where there are no particles")
+  std::vector" "if there are no particles")
 
 # ---- 4.6 ----
 

@@ -51,7 +51,7 @@ add_mutant(${lab} merged_without_flat_boxes 5.1
 
 # One box begins before the other ends, and that is believed to be all.
 add_mutant(${lab} overlap_by_one_half 5.1
-  "a.low[i] <= b.high[i] && b.low[i] <= a.high[i]" "a.low[i] <= b.high[i]" "half of this is missing")
+  "a.low[i] <= b.high[i] && b.low[i] <= a.high[i]" "a.low[i] <= b.high[i]" "half of the test is missing")
 
 # What has no volume is believed to be empty.
 add_mutant(${lab} area_of_flat_boxes 5.1
@@ -101,7 +101,7 @@ add_mutant(${lab} boxes_not_merged 5.2
   "build(node.first + 1, middle, end, depth + 1);
       node.box = merged(bvh.nodes[node.first].box, bvh.nodes[node.first + 1].box);"
   "build(node.first + 1, middle, end, depth + 1);
-      node.box = bvh.nodes[node.first].box;" "merge those of its children")
+      node.box = bvh.nodes[node.first].box;" "merge the boxes of its children")
 
 # Off by one.
 add_mutant(${lab} leaves_too_large 5.2
@@ -259,7 +259,7 @@ add_mutant(${lab} sah_by_volume 5.6
 # The surfaces alone are added up.
 add_mutant(${lab} sah_without_numbers 5.6
   "return surface_area(box) * count;" "return surface_area(box);"
-  "not by their numbers")
+  "multiply by their numbers")
 
 # The axis is chosen as for the median.
 add_mutant(${lab} sah_along_one_axis 5.6
@@ -322,14 +322,14 @@ add_mutant(${lab} refit_of_leaves 5.7
 # The corners are new, and the boxes are believed to follow.
 add_mutant(${lab} refit_without_boxes 5.7
   "for (std::size_t i = bvh.nodes.size(); i-- > 0;) {" "for (std::size_t i = 0; i-- > 0;) {"
-  "boxes are those of before")
+  "boxes are still the old ones")
 
 # A box is extended where it should begin anew.
 add_mutant(${lab} refit_only_grows 5.7 "node.box = Box{};" "" "boxes only grow")
 
 # The copies of the corners are forgotten.
 add_mutant(${lab} refit_without_corners 5.7
-  "bvh.corners[i] = triangle(deformed, bvh.triangles[i]);" "" "corners are those of before")
+  "bvh.corners[i] = triangle(deformed, bvh.triangles[i]);" "" "corners are still the old ones")
 
 # Rounding is thought of where b arrives, not where it was.
 add_mutant(${lab} moved_margin_of_the_shift 5.7

@@ -6,15 +6,15 @@ set(lab impulse_response)
 
 # A contact is believed to push whether the particle comes or goes.
 add_mutant(${lab} parting_not_skipped 6.1
-  "if (v_n >= 0.0) return 0.0;" "" "that parts is not skipped")
+  "if (v_n >= 0.0) return 0.0;" "" "that moves away gets an impulse")
 
 # Restitution is believed to be all that an impulse does; the approach is not stopped first.
 add_mutant(${lab} e_for_one_plus_e 6.1
-  "-(1.0 + e) * mass * v_n" "-e * mass * v_n" "e stands where 1 + e belongs")
+  "-(1.0 + e) * mass * v_n" "-e * mass * v_n" "e is used instead of 1 + e")
 
 # The loss 1 - e is mixed up with the impulse.
 add_mutant(${lab} one_minus_e 6.1
-  "-(1.0 + e) * mass * v_n" "-(1.0 - e) * mass * v_n" "1 - e stands")
+  "-(1.0 + e) * mass * v_n" "-(1.0 - e) * mass * v_n" "1 - e is used instead")
 
 # The normal is believed to point into the obstacle.
 add_mutant(${lab} normal_reversed 6.1
@@ -22,7 +22,7 @@ add_mutant(${lab} normal_reversed 6.1
 
 # A change of velocity is taken for an impulse.
 add_mutant(${lab} normal_without_mass 6.1
-  "-(1.0 + e) * mass * v_n" "-(1.0 + e) * v_n" "mass is missing")
+  "-(1.0 + e) * mass * v_n" "-(1.0 + e) * v_n" "missing the mass")
 
 # Speed is taken for its part along the normal.
 add_mutant(${lab} whole_speed 6.1
@@ -30,11 +30,11 @@ add_mutant(${lab} whole_speed 6.1
 
 # What moves slowly is believed to rest.
 add_mutant(${lab} least_speed 6.1
-  "if (v_n >= 0.0) return 0.0;" "if (v_n >= -1e-9) return 0.0;" "no speed is too small")
+  "if (v_n >= 0.0) return 0.0;" "if (v_n >= -1e-9) return 0.0;" "small speed is taken for zero")
 
 # Zero is believed to need a tolerance, here on the other side.
 add_mutant(${lab} parting_by_tolerance 6.1
-  "if (v_n >= 0.0) return 0.0;" "if (v_n >= 1e-9) return 0.0;" "zero is the border")
+  "if (v_n >= 0.0) return 0.0;" "if (v_n >= 1e-9) return 0.0;" "moves away slowly gets")
 
 # ---- 6.2 ----
 
@@ -72,7 +72,7 @@ add_mutant(${lab} whole_velocity_braked 6.2
   "const double speed = velocity.norm();
   if (speed == 0.0) return Vec3::Zero();
   return -std::min(friction * normal_impulse, mass * speed) / speed * velocity;"
-  "not its tangential part")
+  "brake only its tangential part")
 
 # The direction of the slip is not made unit.
 add_mutant(${lab} slip_not_unit 6.2
@@ -83,7 +83,7 @@ add_mutant(${lab} slip_not_unit 6.2
 # A slip is believed to be zero where it is small.
 add_mutant(${lab} least_slip 6.2
   "if (length == 0.0) return Vec3::Zero();" "if (length < 1e-10) return Vec3::Zero();"
-  "a small slip is taken for none")
+  "a small slip is taken for zero")
 
 # The direction of no slip is asked for.
 add_mutant(${lab} slip_over_zero 6.2
@@ -96,7 +96,7 @@ add_mutant(${lab} slip_over_padded_length 6.2
 # Only what pushes is believed to have a length, not what slips.
 add_mutant(${lab} slip_over_whole_speed 6.2
   "const double length = slip.norm();" "const double length = motion.norm();"
-  "|v| stands where |v_t| belongs")
+  "|v| is used instead of |v_t|")
 
 # ---- 6.3 ----
 
@@ -111,7 +111,7 @@ add_mutant(${lab} pulled_to_the_surface 6.3
 add_mutant(${lab} tangential_without_clamp 6.3
   "return against_slip(displacement, normal, normal_length, friction);"
   "return against_slip(displacement, normal, 1e300, 1.0 + 0.0 * normal_length * friction);"
-  "not be more than mu d_n")
+  "no more than mu d_n")
 
 # The minus sign is lost.
 add_mutant(${lab} tangential_along_slip 6.3
@@ -129,7 +129,7 @@ add_mutant(${lab} whole_displacement 6.3
 # A way is believed to be zero where it is short.
 add_mutant(${lab} least_way 6.3
   "if (length == 0.0) return Vec3::Zero();" "if (length < 1e-10) return Vec3::Zero();"
-  "a small slip is taken for none")
+  "a small slip is taken for zero")
 
 # The direction of no slip is asked for.
 add_mutant(${lab} way_over_zero 6.3
@@ -138,7 +138,7 @@ add_mutant(${lab} way_over_zero 6.3
 # What is hardly inside is believed to be on the surface.
 add_mutant(${lab} least_depth 6.3
   "if (gap >= 0.0) return Vec3::Zero();" "if (gap >= -1e-9) return Vec3::Zero();"
-  "no depth is too small")
+  "small depth is taken for zero")
 
 # The depth is believed to allow any slip.
 add_mutant(${lab} disc_without_mu 6.3
@@ -165,7 +165,7 @@ add_mutant(${lab} normal_of_the_start 6.4
 add_mutant(${lab} repairs_only_impacts 6.4
   "particle.velocity += 1.0 / particle.mass * impulse;"
   "if (impulse.norm() == 0.0) return {particle, impulse};
-  particle.velocity += 1.0 / particle.mass * impulse;" "only where there is an impulse")
+  particle.velocity += 1.0 / particle.mass * impulse;" "only if there is an impulse")
 
 # The gap is negative inside, so moving out by phi moves in.
 add_mutant(${lab} step_pushed_inwards 6.4
@@ -235,7 +235,7 @@ add_mutant(${lab} rest_forgotten 6.4
 # The tangential correction is given a velocity.
 add_mutant(${lab} correction_of_speed 6.4
   "against_slip(d, n," "against_slip(particle.velocity - 1.0 / particle.mass * impulse, n,"
-  "not of the step's motion d = dt v")
+  "use the step's motion d = dt v")
 
 # A motion is taken for a velocity.
 add_mutant(${lab} time_counts_twice 6.4
@@ -253,7 +253,7 @@ add_mutant(${lab} velocity_repaired 6.4
 # A little restitution is believed to be none.
 add_mutant(${lab} least_restitution 6.4
   "material.restitution > 0.0 &&" "material.restitution > 1e-3 &&"
-  "a small restitution is taken for none")
+  "a small restitution is taken for zero")
 
 # A particle that leaves slowly is believed to rest.
 add_mutant(${lab} least_speed_to_leave 6.4
@@ -284,11 +284,11 @@ add_mutant(${lab} rest_flown 6.4
   "projected(step.particle, obstacle, material, gravity, step.projected, {}).particle;"
   "{mass, position_at(common::Flight{x, v, gravity}, step.projected),
                    velocity_at(common::Flight{x, v, gravity}, step.projected)};"
-  "it is to be projected")
+  "the last impact is flown")
 
 # What is hardly inside is believed to be on the surface.
 add_mutant(${lab} least_depth_of_step 6.4
-  "if (phi >= 0.0)" "if (phi >= -1e-9)" "what is hardly inside is left alone")
+  "if (phi >= 0.0)" "if (phi >= -1e-9)" "hardly inside is left alone")
 
 # What is close is believed to touch.
 add_mutant(${lab} touching_by_tolerance 6.4
@@ -323,20 +323,20 @@ add_mutant(${lab} lever_from_the_origin 6.5
 # Bodies are believed to meet as fast as their centres do.
 add_mutant(${lab} velocity_of_centers 6.5
   "const Vec3 u = velocity_at(b, contact.point) - velocity_at(a, contact.point);"
-  "const Vec3 u = b.velocity - a.velocity + 0.0 * velocity_at(b, contact.point);" "not of the centres")
+  "const Vec3 u = b.velocity - a.velocity + 0.0 * velocity_at(b, contact.point);" "velocity of the centres")
 
 # A contact is believed to push whether the bodies come or go.
 add_mutant(${lab} contact_that_parts 6.5
-  "if (u_n >= 0.0) return Vec3::Zero();" "" "that parts is not skipped")
+  "if (u_n >= 0.0) return Vec3::Zero();" "" "that moves apart gets an impulse")
 
 # Restitution is believed to be all that an impulse does.
 add_mutant(${lab} contact_with_e_alone 6.5
   "const double e = material.restitution;" "const double e = material.restitution - 1.0;"
-  "e stands where 1 + e belongs")
+  "e is used instead of 1 + e")
 
 # The normal is believed to point from b to a.
 add_mutant(${lab} contact_normal_reversed 6.5
-  "const Vec3& n = contact.normal;" "const Vec3 n = -contact.normal;" "it is from a to b")
+  "const Vec3& n = contact.normal;" "const Vec3 n = -contact.normal;" "it points from a to b")
 
 # The cone is forgotten.
 add_mutant(${lab} contact_always_sticks 6.5
@@ -405,7 +405,7 @@ add_mutant(${lab} one_number_for_K 6.5
 # The two bodies are believed to pull at K in opposite directions, as they do at u.
 add_mutant(${lab} K_of_b_less_a 6.5
   "inverse_mass_at(a, point) + inverse_mass_at(b, point)"
-  "inverse_mass_at(b, point) - inverse_mass_at(a, point)" "so it is a sum")
+  "inverse_mass_at(b, point) - inverse_mass_at(a, point)" "subtracted from K of b")
 
 # Only b is believed to turn.
 add_mutant(${lab} spin_of_a_missing 6.5
@@ -419,7 +419,7 @@ add_mutant(${lab} spin_of_b_missing 6.5
 
 # Sticking is believed to end the normal speed as well.
 add_mutant(${lab} stick_without_e 6.5
-  "(-e * u_n * n - u)" "(-u)" "e is missing where it sticks")
+  "(-e * u_n * n - u)" "(-u)" "e is missing if it sticks")
 
 # Friction is believed to be against the slip, as for a particle.
 add_mutant(${lab} against_the_slip 6.5
@@ -443,7 +443,7 @@ add_mutant(${lab} contact_over_zero 6.5
 # Bodies that meet slowly are believed to rest.
 add_mutant(${lab} least_approach 6.5
   "if (u_n >= 0.0) return Vec3::Zero();" "if (u_n >= -1e-9) return Vec3::Zero();"
-  "no speed is too small")
+  "small speed is taken for zero")
 
 # The inertia is believed to resist the impulse, not its torque.
 add_mutant(${lab} inertia_before_lever 6.5
@@ -459,7 +459,7 @@ add_mutant(${lab} cone_by_tolerance 6.5
 # Zero is believed to need a tolerance.
 add_mutant(${lab} parts_by_tolerance 6.5
   "if (u_n >= 0.0) return Vec3::Zero();" "if (u_n >= 1e-12) return Vec3::Zero();"
-  "zero is the border")
+  "move apart slowly get")
 
 # A body that cannot be moved is believed not to turn either: hinges are forgotten.
 add_mutant(${lab} hinge_without_K 6.5

@@ -10,14 +10,15 @@ using tests::Trial;
 
 namespace {
 
-const std::string touching_boxes =
-    "touching boxes are taken for apart: they share points, so <= and not <";
+const std::string touching_boxes = "touching boxes are taken for apart: compare with <=, not <";
 const std::string one_axis_is_enough =
-    "one coordinate is enough: boxes overlap only where their intervals do in all three";
+    "an overlap in one coordinate is enough: require it in all three";
 const std::string half_is_missing =
-    "half of this is missing: each box must begin before the other ends, in all three coordinates";
+    "half of the test is missing: each box must begin before the other ends, in all three "
+    "coordinates";
 const std::string corner_inside =
-    "this looks for a corner of one box in the other: plates that cross have none";
+    "this looks for a corner of one box in the other, which crossing plates lack: compare "
+    "intervals";
 
 /// Lengths may be so small and so large, by the contract [m].
 constexpr std::array<double, 5> sizes{1.0, 1e60, 1e-60, 1e-9, 1e9};
@@ -32,9 +33,11 @@ void expect_box_of(const Triangle& t, int index, int count) {
   const Corners unsorted{{t[0], t[2]}};
   Trial("5.1 box_of", index, count)
       .given("triangle", code(t))
-      .expect(Corners{box_of(t)}, wanted, {0.0, "coordinates are copied, not computed"},
-              {{of_two, "the third corner is left out"},
-               {unsorted, "the corners are copied as they come, not by coordinate"}});
+      .expect(
+          Corners{box_of(t)}, wanted, {0.0, "coordinates are copied, not computed"},
+          {{of_two, "the third corner is left out: take all three"},
+           {unsorted,
+            "the corners are copied as they are: take the least and greatest of each coordinate"}});
 }
 
 Box random_box(tests::Random& random) {
@@ -48,10 +51,11 @@ void expect_merged(const Box& a, const Box& b, const Box& wanted, int index, int
   Trial("5.1 merged", index, count)
       .given("a", code(a))
       .given("b", code(b))
-      .expect(Corners{merged(a, b)}, Corners{wanted}, {0.0, "coordinates are copied, not computed"},
-              {{common_part, "this is what the boxes have in common, not what holds both"},
-               {Corners{a}, "the second box is left out"},
-               {Corners{b}, "the first box is left out"}});
+      .expect(
+          Corners{merged(a, b)}, Corners{wanted}, {0.0, "coordinates are copied, not computed"},
+          {{common_part, "this is what the boxes have in common: return the box that holds both"},
+           {Corners{a}, "the second box is left out: take both"},
+           {Corners{b}, "the first box is left out: take both"}});
 }
 
 bool overlap_by(const Box& a, const Box& b, bool any) {
@@ -105,9 +109,10 @@ double area_of(const Vec3& s) { return 2.0 * (s.x() * s.y() + s.y() * s.z() + s.
 /// by hand: there no one can take the surface for the volume.
 std::string why_flat_is_nothing() {
   const double brick = surface_area({Vec3(1.0, 1.0, 1.0), Vec3(3.0, 4.0, 5.0)});
-  return brick == 24.0   ? "this is the volume, not the surface"
-         : brick == 52.0 ? "a flat box has two faces: only an empty one, or a line, has no surface"
-                         : "";
+  return brick == 24.0 ? "this is the volume: return the surface area"
+         : brick == 52.0
+             ? "a flat box has two faces: only an empty box, a line or a point has no surface"
+             : "";
 }
 
 void expect_area(const Box& box, double wanted, int index, int count) {
@@ -115,10 +120,10 @@ void expect_area(const Box& box, double wanted, int index, int count) {
   Trial("5.1 surface_area", index, count)
       .given("box", code(box))
       .expect(surface_area(box), wanted, {16.0 * eps * wanted, "a few rounded operations"},
-              {{s.prod(),
-                s.prod() > 0.0 ? "this is the volume, not the surface" : why_flat_is_nothing()},
-               {0.5 * wanted, "each face has an opposite one: the factor 2 is missing"},
-               {s.norm(), "this is the diagonal, not the surface"}});
+              {{s.prod(), s.prod() > 0.0 ? "this is the volume: return the surface area"
+                                         : why_flat_is_nothing()},
+               {0.5 * wanted, "the factor 2 is missing: each face has an opposite one"},
+               {s.norm(), "this is the diagonal: return the surface area"}});
 }
 
 }  // namespace

@@ -86,6 +86,5 @@ TEST_CASE("The first version loses pairs of leaves below its ends", "[5.3]") {
   for (const NodePair& end : got.ends) {
     if (tree_a.nodes[end.a].count == 0 || tree_b.nodes[end.b].count == 0) with_inner += 1.0;
   }
-  trial.expect_small("1 where no end has an inner node", with_inner > 0.0 ? 0.0 : 1.0,
-                     tests::exactly);
+  trial.expect_small("1 if no end has an inner node", with_inner > 0.0 ? 0.0 : 1.0, tests::exactly);
 }

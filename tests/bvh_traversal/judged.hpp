@@ -55,7 +55,7 @@ inline double difference(const Decision& a, const Decision& b) {
 }
 inline std::string text(const Decision& v) { return v.yes ? "true" : "false"; }
 
-inline const Bound exactly{0.0, "a decision has no tolerance"};
+inline const Bound exactly{0.0, "the answer must be equal"};
 
 /// Two indices in order, of nodes or of triangles.
 using Indices = std::array<std::uint32_t, 2>;
@@ -115,7 +115,7 @@ inline void expect_sorted(const Trial& trial, const Pairs& got, const Pairs& wan
   if (sorted.pairs != wanted.pairs) return;
   trial.of("the order of the " + name)
       .expect_small("pairs out of order", difference(got, sorted), exactly,
-                    "the " + name + " are not sorted");
+                    "the " + name + " are not sorted: sort them at the end");
 }
 
 /// A tree as a value, where an exception is wanted instead.

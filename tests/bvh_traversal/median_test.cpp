@@ -13,9 +13,9 @@ const std::string uneven =
     "the halves differ by more than one triangle: cut at the middle of the sorted centroids, not "
     "at the middle of their span";
 const std::string another_axis =
-    "this cuts across an axis along which the centroids spread less than along another";
+    "the centroids spread less along this axis than along another: cut along the widest";
 const std::string unsorted =
-    "the halves are mixed: a centroid of one is beyond a centroid of the other along the axis";
+    "the halves are mixed: put the smaller centroids along the axis into one half";
 
 /// How far the greatest coordinate of one half is above the least of the other, for the better
 /// order of the two.
@@ -31,8 +31,9 @@ void expect_median_cuts(const Trial& trial, const Bvh& bvh, const Shape& shape) 
     if (tests::is_leaf(node)) continue;
     const double left = static_cast<double>(shape.below[node.first]);
     const double right = static_cast<double>(shape.below[node.first + 1]);
-    trial.of("a cut").expect_small("by how many its halves differ", std::abs(left - right),
-                                   {1.0, "halved by number"}, uneven);
+    trial.of("a cut").expect_small("difference of the numbers in its halves",
+                                   std::abs(left - right),
+                                   {1.0, "each half has half of the triangles"}, uneven);
     const auto p = tests::span_of(tests::centroids_below(bvh, shape, node.first));
     const auto q = tests::span_of(tests::centroids_below(bvh, shape, node.first + 1));
     const Vec3 low = p.first.cwiseMin(q.first);
@@ -45,8 +46,8 @@ void expect_median_cuts(const Trial& trial, const Bvh& bvh, const Shape& shape) 
       least_of_all = std::min(least_of_all, mixed(p, q, axis));
       if (high[axis] - low[axis] >= widest - rounding) least = std::min(least, mixed(p, q, axis));
     }
-    trial.of("a cut").expect_small("how far its halves reach into each other", std::max(0.0, least),
-                                   {rounding, "the rounding of centroids"},
+    trial.of("a cut").expect_small("overlap of its halves", std::max(0.0, least),
+                                   {rounding, "the rounding of the centroids"},
                                    least_of_all <= rounding ? another_axis : unsorted);
   }
 }
@@ -62,7 +63,7 @@ Shape expect_median(const common::TriangleMesh& mesh, int leaf_size, int index, 
   const int levels =
       tests::levels_of_halving(mesh.triangles.size(), static_cast<std::size_t>(leaf_size));
   trial.of("the depth")
-      .expect_small("levels beyond those of halving", std::max(0, deepest - levels), exactly,
+      .expect_small("levels more than halving needs", std::max(0, deepest - levels), exactly,
                     tests::too_deep);
   return shape;
 }
@@ -180,7 +181,7 @@ TEST_CASE("The work of a build grows as n log n", "[5.2]") {
     const double levels = tests::levels_of_halving(n, 1);
     trial.expect_small("triangles sorted over n ceil(log2 n)",
                        tests::work_of(bvh, shape) / (static_cast<double>(n) * levels),
-                       {1.0, "each triangle is in one node a level"}, tests::too_deep);
+                       {1.0, "each triangle is in one node per level"}, tests::too_deep);
   }
 }
 

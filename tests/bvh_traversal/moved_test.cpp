@@ -11,9 +11,9 @@ using tests::Trial;
 namespace {
 
 const std::string inverse =
-    "b is moved by the inverse, or a in its place: a_from_b leads from b's frame to a's";
-const std::string at_rest = "nothing is moved";
-const std::string rotation_only = "b is turned but not shifted";
+    "b is moved by the inverse, or a is moved instead: a_from_b leads from b's frame to a's";
+const std::string at_rest = "nothing is moved: move b by a_from_b";
+const std::string rotation_only = "b is turned but not shifted: add the translation";
 
 TriangleMesh moved(TriangleMesh mesh, const RigidTransform& transform) {
   for (Vec3& vertex : mesh.vertices) {
@@ -205,10 +205,10 @@ TEST_CASE("A query of moved meshes costs no more than boxes around the moved box
     // Which node is bigger may be seen in either frame, which is worth some tests.
     trial_of(torus, torus, t, i, 3)
         .of("box_tests")
-        .expect_small("box tests over those of boxes around the moved boxes",
+        .expect_small("box tests, divided by those with boxes around the moved boxes",
                       static_cast<double>(found.box_tests) /
                           static_cast<double>(std::max<std::uint64_t>(walker.box_tests, 1)),
-                      {1.5, "moved boxes should be no larger"});
+                      {1.5, "moved boxes must not be larger"});
   }
 }
 

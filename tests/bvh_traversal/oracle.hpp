@@ -140,7 +140,7 @@ void expect_pairs(const Trial& trial, const lab::Intersections& found, const Pai
   expect_sorted(trial, got, wanted, "pairs");
   trial.of("the pairs").expect(got, wanted, exactly, [&] {
     PairSuspects suspects = others();
-    suspects.push_back({doubled(wanted), "each pair is reported twice"});
+    suspects.push_back({doubled(wanted), "each pair is reported twice: report it once"});
     suspects.push_back({swapped(wanted), "the two indices of a pair are swapped: a's comes first"});
     suspects.push_back({by_entries(wanted, a, b),
                         "these are entries, not triangles: look them up in Bvh::triangles"});

@@ -9,12 +9,12 @@ using tests::Trial;
 
 namespace {
 
-const std::string stale_boxes = "the boxes are those of before: make them anew from the leaves up";
+const std::string stale_boxes = "the boxes are still the old ones: rebuild them from the leaves up";
 const std::string stale_corners =
-    "the corners are those of before: copy them from the deformed mesh";
+    "the corners are still the old ones: copy them from the deformed mesh";
 const std::string leaves_only =
-    "only the leaves have new boxes: their parents' are merged from them";
-const std::string only_grown = "the boxes only grow: they still hold the mesh of before";
+    "only the leaves have new boxes: merge the boxes of the other nodes, from the leaves up";
+const std::string only_grown = "the boxes only grow: start each one from an empty box";
 
 double boxes_apart(const Bvh& bvh, const std::vector<Box>& boxes) {
   double apart = 0.0;
@@ -89,7 +89,7 @@ void expect_refit(const Bvh& before, const TriangleMesh& mesh, const TriangleMes
   tests::expect_finite(trial, got);
   trial.of("nodes.size()")
       .expect(static_cast<double>(got.nodes.size()), static_cast<double>(wanted.size()),
-              {0.0, "the tree stays the same"});
+              {0.0, "the tree itself stays the same"});
   const double error = boxes_apart(got, wanted);
   trial.of("the boxes")
       .expect_small("distance from the smallest boxes", error, exactly,
@@ -156,7 +156,7 @@ TEST_CASE("A refit refuses another number of triangles and a broken mesh", "[5.7
     TriangleMesh mesh;
   };
   int index = 0;
-  for (const Case& c : {Case{"it has one triangle less", fewer}, Case{"a vertex is NaN", broken},
+  for (const Case& c : {Case{"it has one triangle fewer", fewer}, Case{"a vertex is NaN", broken},
                         Case{"vertex 10000 does not exist", beyond}}) {
     Trial("5.7 refit", ++index, 3)
         .given("deformed", tests::Code{c.why})

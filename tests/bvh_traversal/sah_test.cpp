@@ -11,20 +11,20 @@ using tests::Weight;
 
 namespace {
 
-const std::string dearer = "a plane between bins is cheaper than the cut: is it A N of both sides?";
-const std::string halved = "this cuts at the median, not where A N of both sides is least";
+const std::string dearer =
+    "a plane between bins is cheaper than the cut: choose the least sum of A N of both sides";
+const std::string halved =
+    "this cuts at the median: cut where the sum of A N of both sides is least";
 const std::string by_volume =
-    "this weighs the sides by the volumes of their boxes, not the surfaces";
+    "this weighs the sides by the volumes of their boxes: use the surface areas";
 const std::string without_numbers =
-    "this weighs the sides by their surfaces alone, not by their "
-    "numbers of triangles";
+    "this weighs the sides by their surfaces alone: multiply by their numbers of triangles";
 const std::string one_axis =
-    "only the axis of the widest spread is tried: planes across all three "
-    "axes compete";
+    "only the axis of the widest spread is tried: try planes across all three axes";
 
 const std::string without_last =
-    "the last plane is left out: bins parts have bins - 1 planes between them";
-const std::string without_first = "the first plane is left out: a side of one bin is a side";
+    "the last plane is left out: between the bins there are bins - 1 planes";
+const std::string without_first = "the first plane is left out: a side may have only one bin";
 
 /// The planes across each axis at a node, and what the tree took instead.
 struct Choice {
@@ -98,8 +98,9 @@ void expect_cut(const Trial& trial, const Bvh& bvh, const Shape& shape, std::siz
   const Choice choice = choice_at(bvh, shape, i, bins);
   if (!choice.is_wrong()) return;
   trial.of("the cut of node " + std::to_string(i))
-      .expect_small("A N of both sides beyond the cheapest plane's", choice.got() - choice.best(),
-                    {1e-12 * choice.best(), "rounding of the areas"}, likely_cut(bvh, shape, bins));
+      .expect_small("A N of both sides minus that of the cheapest plane",
+                    choice.got() - choice.best(), {1e-12 * choice.best(), "rounding of the areas"},
+                    likely_cut(bvh, shape, bins));
 }
 
 struct Built {
@@ -123,10 +124,10 @@ Built expect_sah(const common::TriangleMesh& mesh, int leaf_size, int bins, int 
       continue;
     }
     trial.of("the cut of node " + std::to_string(i) + " at depth 32 or below")
-        .expect_small("by how many its halves differ",
+        .expect_small("difference of the numbers in its halves",
                       std::abs(static_cast<double>(built.shape.below[node.first]) -
                                static_cast<double>(built.shape.below[node.first + 1])),
-                      {1.0, "from depth 32 on a node is halved"});
+                      {1.0, "from depth 32 on, a node is halved by number"});
   }
   return built;
 }
@@ -200,7 +201,7 @@ TEST_CASE("Where no plane parts the centroids the triangles are halved", "[5.6]"
     const int deepest = *std::max_element(built.shape.depth.begin(), built.shape.depth.end());
     Trial("5.6 build_sah", index, 2)
         .given("mesh", code(mesh))
-        .expect_small("levels beyond those of halving",
+        .expect_small("levels more than halving needs",
                       std::max(0, deepest - tests::levels_of_halving(many.size(), 1)),
                       tests::exactly, tests::too_deep);
   }

@@ -101,15 +101,15 @@ inline double wrong_entries(const lab::Bvh& bvh, const common::TriangleMesh& mes
 }
 
 inline const std::string unmerged =
-    "the box of a node is not the smallest around all of its triangles: merge those of its "
+    "the box of a node is not the smallest around all of its triangles: merge the boxes of its "
     "children";
 inline const std::string too_deep =
-    "the tree is too deep: where no cut parts the triangles, halve them by number";
-inline const std::string leaf_too_large = "a leaf holds more than leaf_size triangles";
+    "the tree is too deep: if no cut separates the triangles, halve them by number";
+inline const std::string leaf_too_large = "a leaf holds more than leaf_size triangles: cut it";
 
 inline const std::string kept_reference =
-    "a reference to a node is kept while `nodes` grows, which moves them all: build the node, and "
-    "write nodes[index] at the end";
+    "a reference to a node is kept while `nodes` grows, which moves all nodes: write nodes[index] "
+    "at the end";
 
 /// How many nodes have the empty box that a node is made with. Where the root has and other inner
 /// nodes have not, it was set in a place that the nodes have left.
@@ -123,14 +123,14 @@ inline void expect_boxes_set(const Trial& trial, const lab::Bvh& bvh) {
   const bool moved =
       !nodes.empty() && as_made(nodes[0]) && std::any_of(nodes.begin(), nodes.end(), is_set);
   trial.of("the boxes of the nodes")
-      .expect_small("how many are empty, as a node is made",
+      .expect_small("number of empty boxes",
                     static_cast<double>(std::count_if(nodes.begin(), nodes.end(), as_made)),
                     exactly, moved ? kept_reference : "");
 }
 
 inline void expect_finite(const Trial& trial, const lab::Bvh& bvh) {
   trial.of("the boxes of the nodes")
-      .expect_small("1 where one is not finite",
+      .expect_small("1 if one is not finite",
                     has_finite_boxes(bvh) ? 0.0 : std::numeric_limits<double>::quiet_NaN(),
                     exactly);
 }
@@ -142,8 +142,7 @@ inline Shape expect_structure(const Trial& trial, const lab::Bvh& bvh,
   expect_finite(trial, bvh);
   trial.of("the links")
       .expect_small(
-          "nodes without exactly one parent in front of them, and entries "
-          "without exactly one leaf",
+          "nodes without exactly one parent before them, and entries without exactly one leaf",
           broken_links(bvh), exactly);
   trial.of("the entries")
       .expect_small(
@@ -155,7 +154,7 @@ inline Shape expect_structure(const Trial& trial, const lab::Bvh& bvh,
   trial.of("the boxes").expect_small("distance from the smallest boxes", error, exactly, unmerged);
   const int deepest = *std::max_element(shape.depth.begin(), shape.depth.end());
   trial.of("the depth")
-      .expect_small("levels below max_depth", std::max(0, deepest - lab::max_depth), exactly);
+      .expect_small("levels deeper than max_depth", std::max(0, deepest - lab::max_depth), exactly);
   double large_leaves = 0.0;
   double small_inner = 0.0;
   for (std::size_t i = 0; i < bvh.nodes.size(); ++i) {
@@ -164,10 +163,10 @@ inline Shape expect_structure(const Trial& trial, const lab::Bvh& bvh,
     if (!is_leaf(bvh.nodes[i]) && small) small_inner += 1.0;
   }
   trial.of("the leaves")
-      .expect_small("leaves above leaf_size", large_leaves, exactly, leaf_too_large);
+      .expect_small("leaves larger than leaf_size", large_leaves, exactly, leaf_too_large);
   trial.of("the leaves")
-      .expect_small("nodes that are cut and need not be", small_inner, exactly,
-                    "a node of leaf_size triangles is cut: it should be a leaf");
+      .expect_small("nodes that are cut but must not be", small_inner, exactly,
+                    "a node of leaf_size triangles is cut: make it a leaf");
   return shape;
 }
 

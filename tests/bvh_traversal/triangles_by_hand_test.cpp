@@ -12,10 +12,11 @@ using tests::without_plane;
 
 namespace {
 
-const std::string touching = "triangles that only touch are taken for apart: they share a point";
+const std::string touching =
+    "triangles that only touch are taken for apart: they share a point, so they meet";
 const std::string plane_is_enough =
-    "both cross the other's plane, but not in the same place: their intervals on the common line "
-    "do not overlap";
+    "both cross the other's plane, but not in the same place: compare their intervals on the "
+    "common line";
 
 struct Pair {
   Triangle a;

@@ -18,30 +18,29 @@ inline std::vector<Named> mistakes_of(bool completed) {
   strict.strict = true;
   Walk one_child;
   one_child.both_children = false;
-  std::vector<Named> named{
-      {smaller, "the smaller node is descended: the bigger one has more to lose"},
-      {strict, "touching boxes are taken for apart: they share points"},
-      {one_child, "only one child is gone on with: the loop is over each child"}};
+  std::vector<Named> named{{smaller, "the smaller node is descended: descend into the bigger one"},
+                           {strict, "touching boxes are taken for apart: compare with <=, not <"},
+                           {one_child, "only one child is visited: visit both"}};
   if (completed) {
     Walk no_leaf;
     no_leaf.one_leaf = false;
     Walk stuck;
     stuck.leaf_may_descend = false;
-    named.push_back({no_leaf, "a leaf and an inner node are given up: go on with the inner one"});
+    named.push_back({no_leaf, "a leaf and an inner node are given up: descend into the inner one"});
     named.push_back({stuck,
-                     "where the bigger node is a leaf nothing is done: the inner one has "
-                     "children, bigger or not"});
+                     "if the bigger node is a leaf nothing is done: descend into the inner node, "
+                     "even if it is smaller"});
     Walk as_first_written;
     as_first_written.leaves = false;
     named.push_back({as_first_written,
-                     "this is the version of step 5.3: it stops at the first "
-                     "leaf that is bigger"});
+                     "this is the version of step 5.3, which stops at a bigger leaf: descend into "
+                     "the other node"});
   }
   for (Named& n : named) n.walk.leaves = n.walk.leaves && completed;
   if (!completed) {
     named.push_back({Walk{},
-                     "this is the complete version of step 5.4: as first written it ends "
-                     "at the first bigger node that is a leaf"});
+                     "this is the complete version of step 5.4: here, end a pair as soon as its "
+                     "bigger node is a leaf"});
   }
   return named;
 }
@@ -57,7 +56,7 @@ void expect_walk(const Traverse& call, bool completed, const Trial& trial, const
   expect_sorted(trial, got_ends, wanted.ends, "ends");
   trial.of("the ends").expect(got_ends, wanted.ends, exactly, [&] {
     std::vector<Suspect<Pairs>> ends{
-        {doubled(wanted.ends), "each pair is reported twice"},
+        {doubled(wanted.ends), "each pair is reported twice: report it once"},
         {swapped(wanted.ends), "the two indices of a pair are swapped: a's comes first"}};
     for (const Named& mistake : mistakes_of(completed)) {
       ends.push_back({Walker(a, b, mistake.walk).ends, mistake.story});
@@ -66,7 +65,7 @@ void expect_walk(const Traverse& call, bool completed, const Trial& trial, const
   });
   trial.of("box_tests")
       .expect(static_cast<double>(got.box_tests), static_cast<double>(wanted.box_tests),
-              {0.0, "every pair of nodes that it comes to is tested once"}, [&] {
+              {0.0, "every pair of nodes that it visits is tested once"}, [&] {
                 std::vector<Suspect<double>> counts;
                 for (const Named& mistake : mistakes_of(completed)) {
                   const Walker walker(a, b, mistake.walk);

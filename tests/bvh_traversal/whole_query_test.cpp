@@ -49,9 +49,9 @@ void expect_counts(const TriangleMesh& mesh_a, const TriangleMesh& mesh_b, std::
       .expect(static_cast<double>(found.box_tests), static_cast<double>(walker.box_tests), exactly);
   trial.of("triangle_tests")
       .expect(static_cast<double>(found.triangle_tests), triangle_tests,
-              {0.0, "all triangles of one leaf with all of the other"},
+              {0.0, "all triangles of one leaf with all of the other leaf"},
               {{static_cast<double>(walker.ends.pairs.size()),
-                "this is the number of pairs of leaves, not of triangles in them"}});
+                "this is the number of pairs of leaves: count the pairs of triangles in them"}});
 }
 
 TriangleMesh turned_torus(std::size_t triangles) {

@@ -69,11 +69,12 @@ std::vector<std::pair<Sequence, std::string>> wrong_sequences(const Query& query
                                                               double tolerance) {
   Query bare = query;
   bare.particle.radius = 0.0;
-  return {{sequence(query, tolerance, 1.0), "phi is not divided by the speed: t grows by a length"},
+  return {{sequence(query, tolerance, 1.0),
+           "phi is not divided by the speed, so t grows by a length: add phi/|v|"},
           {sequence(query, tolerance, query.particle.velocity.norm()),
-           "the speed is that of all three axes: in the yz-plane it is less"},
+           "the speed is that of all three axes: use the speed in the yz-plane"},
           {sequence(bare, tolerance, speed_of(query)),
-           "the particle's radius is forgotten: R where R + r belongs"}};
+           "the particle's radius is forgotten: use R + r, not R"}};
 }
 
 /// Requires the time and the count of the contract's own sequence, where rounding decides neither.
@@ -97,21 +98,24 @@ void expect_sequence(const Query& query, double tolerance, int index = 1, int co
                   suspects.push_back({other.time, story});
                 }
                 if (!wanted.time.seconds) return suspects;
-                suspects.push_back({{}, "a gap within the tolerance is taken for no impact"});
                 suspects.push_back(
-                    {{wanted.after}, "it steps once more after the gap is within tolerance"});
+                    {{}, "a gap within the tolerance is taken for no impact: return the time t"});
+                suspects.push_back({{wanted.after},
+                                    "it steps once more after the gap is within the tolerance: "
+                                    "return t before that step"});
                 return suspects;
               });
   const auto number = [](const Sequence& other) { return static_cast<double>(other.evaluations); };
   here.of("iterations")
       .expect(static_cast<double>(got.iterations), number(wanted),
-              {0.0, "one for each evaluation of the gap, the first and the last too"}, [&] {
+              {0.0, "one for each evaluation of the gap, including the first and the last"}, [&] {
                 std::vector<tests::Suspect<double>> suspects;
                 for (const auto& [other, story] : wrong_sequences(query, tolerance)) {
                   suspects.push_back({number(other), story});
                 }
-                suspects.push_back(
-                    {number(wanted) - 1.0, "the last evaluation, or the first, is not counted"});
+                suspects.push_back({number(wanted) - 1.0,
+                                    "the last evaluation, or the first, is not counted: count "
+                                    "every evaluation of the gap"});
                 return suspects;
               });
 }
@@ -125,15 +129,16 @@ void expect_between(const Query& query, double tolerance, int index, int count) 
   const Time latest = tests::time_of(query);
   const Time got{advanced(query, tolerance).time};
   const auto here = trial(query, tolerance, index, count);
-  if (!earliest.seconds || latest.seconds) here.expect(got, latest, {infinity, "hit or miss"});
+  if (!earliest.seconds || latest.seconds)
+    here.expect(got, latest, {infinity, "only whether there is an impact"});
   if (!got.seconds) return;
   const double speed = speed_of(query);
   const double rounding =
       speed > 0.0 ? 1e-12 * (tests::rho(query) + speed * query.dt) / speed : 0.0;
   here.expect_small("early", *earliest.seconds - *got.seconds,
-                    {rounding, "not before the gap is within the tolerance"});
+                    {rounding, "not earlier than the gap is within the tolerance"});
   if (latest.seconds) {
-    here.expect_small("late", *got.seconds - *latest.seconds, {rounding, "it is never late"});
+    here.expect_small("late", *got.seconds - *latest.seconds, {rounding, "it must never be late"});
   }
 }
 
@@ -188,11 +193,12 @@ TEST_CASE("At an angle of incidence the gap shrinks by 1 - cos an iteration", "[
     const Advancement second = advanced(query, fine);
     trial(query, fine)
         .expect(Time{second.time}, tests::time_of(query),
-                {1.01 * fine / std::cos(angle), "what the tolerance takes"});
+                {1.01 * fine / std::cos(angle), "the time that the tolerance saves"});
     trial(query, fine)
-        .expect_small("iterations between tolerances 1e-4 and this, less ln(ratio)/ln(1 - cos)",
-                      std::abs(second.iterations - first.iterations - more),
-                      {1.0, "the gap falls by 1 - cos an iteration; where it began may cost one"});
+        .expect_small(
+            "iterations between tolerance 1e-4 and this one, minus ln(ratio)/ln(1 - cos)",
+            std::abs(second.iterations - first.iterations - more),
+            {1.0, "each iteration multiplies the gap by 1 - cos; the first gap may cost one more"});
   }
 }
 
@@ -206,7 +212,8 @@ TEST_CASE("At tangency the iterations grow as the root of 2 rho over the toleran
     const double N = std::sqrt(2.0 / tolerance);
     trial(query, tolerance)
         .expect(Time{got.time}, Time{1.0},
-                {1.01 * std::sqrt(2.0 * tolerance), "the gap is s^2/2, so s is left"});
+                {1.01 * std::sqrt(2.0 * tolerance),
+                 "at the end the gap is s^2/2, so the way s is left"});
     trial(query, tolerance)
         .expect_small("|iterations/sqrt(2 rho/tolerance) - 1|", std::abs(got.iterations / N - 1.0),
                       {(3.0 + 2.0 * std::log(N)) / N, "1/s grows by 1/2 to 1/2 + 1/(k + 2)"});
@@ -222,7 +229,8 @@ TEST_CASE("A pass within the tolerance is a hit and one beyond it is none", "[4.
       const Time wanted{share < 1.0 ? std::optional<double>(4.0) : std::nullopt};
       trial(query, tolerance)
           .expect(Time{advanced(query, tolerance).time}, wanted,
-                  {2.0 * std::sqrt(0.21 * tolerance), "within the tolerance until the closest"});
+                  {2.0 * std::sqrt(0.21 * tolerance),
+                   "the way on which it is within the tolerance before the closest point"});
     }
   }
 }
@@ -241,7 +249,7 @@ TEST_CASE("Advancement that arrives exactly at dt is an impact", "[4.3]") {
         here.expect(Time{got.time}, Time{dt}, {0.0, "whole numbers"}, [&] {
           const bool right_beside = advanced(longer, tolerance).time == dt;
           return right_beside
-                     ? tests::TimeSuspects{{{}, "an arrival at dt is lost: t > dt is past it"}}
+                     ? tests::TimeSuspects{{{}, "an arrival at dt is lost: stop only if t > dt"}}
                      : tests::TimeSuspects{};
         });
         here.of("iterations")
@@ -249,8 +257,9 @@ TEST_CASE("Advancement that arrives exactly at dt is an impact", "[4.3]") {
         Query shorter = query;
         shorter.dt = std::nextafter(dt, 0.0);
         trial(shorter, tolerance)
-            .expect(Time{advanced(shorter, tolerance).time}, Time{}, {0.0, "t is past dt"},
-                    tests::TimeSuspects{{{dt}, "dt is ignored: that impact is after it"}});
+            .expect(Time{advanced(shorter, tolerance).time}, Time{}, {0.0, "t is after dt"},
+                    tests::TimeSuspects{
+                        {{dt}, "dt is ignored: this impact is after dt, so return none"}});
       }
     }
   }
@@ -265,8 +274,10 @@ TEST_CASE("A gap just above the tolerance is none", "[4.3]") {
         if (gap - tolerance < 8.0 * eps) continue;  // nor may rounding decide
         trial(query, tolerance)
             .expect(Time{advanced(query, tolerance).time}, Time{},
-                    {0.0, "it never is within the tolerance"},
-                    tests::TimeSuspects{{{0.0}, "the tolerance is taken too wide"}});
+                    {0.0, "the gap is never within the tolerance"},
+                    tests::TimeSuspects{{{0.0},
+                                         "the tolerance is taken too wide: compare the gap with "
+                                         "the tolerance itself"}});
       }
     }
   }
@@ -284,7 +295,8 @@ TEST_CASE("Advancement ends where t cannot grow any more", "[4.3]") {
     here.expect(
         Time{got.time}, tests::time_of(query),
         {way * got.iterations / speed_of(query), "8 eps of the lengths for each evaluation"});
-    here.expect_small("evaluations", got.iterations, {400.0, "each leaves 1 - cos of the gap"});
+    here.expect_small("evaluations", got.iterations,
+                      {400.0, "each evaluation leaves 1 - cos of the gap"});
   };
   ends(tests::query({0, -81.054912723692809, 0.61900124472615581}, {0, 14.993368607812629, 0}, 10.0,
                     0.5, 0.5),
@@ -311,6 +323,6 @@ TEST_CASE("Advancement refuses bad arguments", "[4.3]") {
     trial(query, tolerance)
         .expect_throw([&] { return Time{advanced(query, tolerance).time}; },
                       "the tolerance is not a finite number above zero",
-                      "the arguments are not checked: each must throw std::invalid_argument");
+                      "the arguments are not checked: throw std::invalid_argument for a bad one");
   }
 }

@@ -47,7 +47,8 @@ TEST_CASE("The allocations of a batch do not grow with it", "[4.5]") {
   const double few = allocations_of(random, 1000);
   const double many = allocations_of(random, 100000);
   tests::Trial(allocations_step)
-      .expect_small("allocations of 100000 particles less those of 1000", many - few,
-                    {8.0, "an array that doubles as it grows takes seven more, a particle none"},
-                    "every particle allocates: a vector, a string or an ExactNumber in the loop");
+      .expect_small(
+          "allocations for 100000 particles minus those for 1000", many - few,
+          {8.0, "an array that doubles as it grows takes seven more; a particle may take none"},
+          "every particle allocates: take the vector, string or ExactNumber out of the loop");
 }

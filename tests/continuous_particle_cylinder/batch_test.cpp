@@ -33,7 +33,7 @@ Query query_of(const Batch& batch, std::size_t i) {
 }
 
 /// In an answer that is right otherwise, a particle at the end of which the time is wrong.
-constexpr const char* last_missed = "the last particle is left out";
+constexpr const char* last_missed = "the last particle is left out: let the loop go to the end";
 
 Time batch_time(double time) { return time == infinity ? Time{} : Time{time}; }
 
@@ -51,7 +51,8 @@ void expect_batch(const Batch& batch) {
     const auto suspects = [&] {
       if (i > 0 && i + 1 == size) return tests::TimeSuspects{{batch_time(got[i]), last_missed}};
       auto all = tests::suspects_of(query);
-      all.push_back({{-1.0}, "-1 stands for no impact: infinity does"});
+      all.push_back(
+          {{-1.0}, "no impact is returned as -1, but infinity does that: return infinity"});
       return all;
     };
     tests::expect_exact(trial, batch_time(got[i]), query, 1.0, suspects);
@@ -156,7 +157,7 @@ TEST_CASE("A batch finds nothing where paths stay outside narrowly", "[4.5]") {
 
 TEST_CASE("A batch of no particles refuses bad arguments as any other", "[4.5]") {
   const std::string likely =
-      "dt and the radii are not checked where there are no particles: the checks come first";
+      "dt and the radii are not checked if there are no particles: check them first";
   const Query good = tests::query({0, 10, 20}, {0, -1, 0}, 1.0);
   for (const auto& [why, query] : tests::bad_queries()) {
     const bool shared = query.dt != good.dt || query.cylinder.radius != good.cylinder.radius ||
@@ -178,7 +179,8 @@ TEST_CASE("A batch of no particles refuses bad arguments as any other", "[4.5]")
 }
 
 TEST_CASE("A batch refuses bad arguments wherever they stand", "[4.5]") {
-  const std::string likely = "the arguments are not checked: each must throw std::invalid_argument";
+  const std::string likely =
+      "the arguments are not checked: throw std::invalid_argument for a bad one";
   for (const auto& [why, query] : tests::bad_queries()) {
     const bool along_x = !std::isfinite(query.particle.position.x() + query.particle.velocity.x());
     if (along_x) continue;  // x is not in it
@@ -220,8 +222,8 @@ TEST_CASE("A batch refuses arrays of different lengths", "[4.5]") {
               [&, &p = p] {
                 return static_cast<double>(times_of_impact(p, whole.cylinder, whole.dt).size());
               },
-              "the arrays differ in length, though one is empty",
-              "the lengths of the four arrays are not compared");
+              "the arrays differ in length, because one is empty",
+              "the lengths of the four arrays are not compared: throw if they differ");
     }
     for (const int change : {-1, 1}) {
       Batch batch = whole;
@@ -234,7 +236,7 @@ TEST_CASE("A batch refuses arrays of different lengths", "[4.5]") {
           .given("length of the others", 9.0)
           .expect_throw([&] { return Time{times_of_impact(p, batch.cylinder, batch.dt).at(0)}; },
                         "the arrays differ in length",
-                        "the lengths of the four arrays are not compared");
+                        "the lengths of the four arrays are not compared: throw if they differ");
     }
   }
 }

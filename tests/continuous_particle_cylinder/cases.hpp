@@ -67,9 +67,10 @@ inline std::vector<Tie> ties() {
     query.dt += 0.001;
     return query;
   };
-  const std::string start = "touching at the start is not counted: c = 0 is an impact at 0";
-  const std::string pass = "touching in passing is not counted: a discriminant of 0 is an impact";
-  const std::string end = "an arrival at dt is not counted: t = dt is in [0, dt]";
+  const std::string start = "touching at the start is not counted: return 0 if c = 0, too";
+  const std::string pass =
+      "touching in passing is not counted: a discriminant of 0 is an impact, too";
+  const std::string end = "an arrival at dt is not counted: t = dt is an impact, too";
   const auto at_start = [&](const Vec3& velocity, double dt) {
     const Query touching = query({2, 3, 4}, velocity, dt);
     return tie(touching, 0.0, sunk(touching), start);

@@ -172,7 +172,7 @@ TEST_CASE("The sum of the radii is not rounded", "[4.3]") {
     expect_certain(query, i, 100, [&] {
       return tests::TimeSuspects{
           {tests::rounded(tests::first_time(tests::quadratic(wide, 0.0), query.dt)),
-           "R + r is rounded to a double: rho is their exact sum"}};
+           "R + r is rounded to a double: use the exact sum"}};
     });
   }
 }

@@ -58,50 +58,54 @@ void expect_contact(const Query& query, double time, int index, int count) {
   const double along = 2.0 * eps * (std::abs(x.x()) + time * std::abs(v.x()));
   const double distance = radial.norm();
   const double turn = std::min(2.0, (distance > 0.0 ? place / distance : 0.0) + 8.0 * eps);
-  const std::string start = "the contact is that of the start: the particle is not moved to `time`";
+  const std::string start =
+      "the contact is that of the start: the particle is not moved to x + t v";
   const std::string reversed =
-      "the normal is reversed: it points from the cylinder to the particle";
-  const std::string middle = "that is the particle's centre: the point is r from it, to the axis";
-  const std::string spatial = "x is kept in the normal: it stands in the yz-plane";
+      "the normal is reversed: let it point from the cylinder to the particle";
+  const std::string middle = "this is the particle's centre: the point is r nearer to the axis";
+  const std::string spatial = "x is kept in the normal: set its x to 0";
   const ParticleContact got = contact_at(query.particle, query.cylinder, time);
 
   const Trial here = contact_trial(query, time, index, count);
   here.of("the normal")
-      .expect(got.normal, wanted.normal, {turn, "the rounding of x + t v over its distance"}, [&] {
-        return Suspects{{-wanted.normal, reversed},
-                        {at_start().normal, start},
-                        {center.norm() > 0.0 ? Vec3(center.normalized()) : center, spatial}};
-      });
+      .expect(got.normal, wanted.normal, {turn, "the rounding of x + t v, divided by its distance"},
+              [&] {
+                return Suspects{
+                    {-wanted.normal, reversed},
+                    {at_start().normal, start},
+                    {center.norm() > 0.0 ? Vec3(center.normalized()) : center, spatial}};
+              });
   here.of("the point on the cylinder")
       .expect(got.point_on_cylinder, wanted.point_on_cylinder,
-              {R * turn + along, "R times the normal's"}, [&] {
+              {R * turn + along, "R times the rounding of the normal"}, [&] {
                 return Suspects{
                     {at_start().point_on_cylinder, start},
                     {Vec3(center - 2.0 * radial + (distance - R) * wanted.normal), reversed},
                     {Vec3(center - radial + (R + r) * wanted.normal),
-                     "that is R + r from the axis: the cylinder ends at R"},
-                    {Vec3(R * wanted.normal), "x is lost: the point is beside the particle"}};
+                     "this is R + r from the axis: the cylinder ends at R"},
+                    {Vec3(R * wanted.normal), "x is lost: use the particle's x"}};
               });
   here.of("the point on the particle")
       .expect(got.point_on_particle, wanted.point_on_particle,
-              {place + r * turn + along, "the rounding of x + t v, and r times the normal's"}, [&] {
+              {place + r * turn + along, "the rounding of x + t v, and r times that of the normal"},
+              [&] {
                 return Suspects{
                     {at_start().point_on_particle, start},
                     {center, middle},
                     {Vec3(center + r * wanted.normal),
-                     "that is the far side of the particle: its nearest point is to the axis"}};
+                     "this is the far side of the particle: subtract r n from its centre"}};
               });
   here.of("the gap").expect(
       got.gap, wanted.gap, {place + 4.0 * eps * (R + r), "the rounding of x + t v and of R + r"},
       [&] {
         return std::vector<tests::Suspect<double>>{
             {at_start().gap, start},
-            {wanted.gap + r, "the particle's radius is forgotten: R where R + r belongs"},
-            {-wanted.gap, "the gap has the wrong sign: it is above zero apart"}};
+            {wanted.gap + r, "the particle's radius is forgotten: use R + r, not R"},
+            {-wanted.gap, "the gap has the wrong sign: it is above zero outside"}};
       });
   here.of("the time")
-      .expect(got.time, time, {0.0, "it is passed on"},
-              {{0.0, "the time of the contact is not set"}});
+      .expect(got.time, time, {0.0, "the time that was passed in"},
+              {{0.0, "the time of the contact is not set: set it"}});
 }
 
 }  // namespace
@@ -140,12 +144,12 @@ TEST_CASE("At the time of impact the normal is unit and the point on the surface
     const double R = query.cylinder.radius;
     const Trial here = contact_trial(query, time, i, 200);
     here.expect_small("||n| - 1|", std::abs(got.normal.norm() - 1.0), {4.0 * eps, "unit"});
-    here.expect_small("|n.x|", std::abs(got.normal.x()), {0.0, "it stands in the yz-plane"},
-                      "x is kept in the normal: it stands in the yz-plane");
+    here.expect_small("|n.x|", std::abs(got.normal.x()), {0.0, "the normal lies in the yz-plane"},
+                      "x is kept in the normal: set its x to 0");
     const Vec3& p = got.point_on_cylinder;
     here.expect_small("distance of the point from the surface",
                       std::abs(std::hypot(p.y(), p.z()) - R),
-                      {4.0 * eps * R, "R times a unit vector, however far x is"});
+                      {4.0 * eps * R, "R times a unit vector, at any x"});
     expect_contact(query, time, i, 200);
   }
 }
@@ -182,7 +186,7 @@ TEST_CASE("A contact refuses bad arguments", "[4.4]") {
               [&, &query = query] {
                 return contact_at(query.particle, query.cylinder, 1.0).normal;
               },
-              why, "the arguments are not checked: each must throw std::invalid_argument");
+              why, "the arguments are not checked: throw std::invalid_argument for a bad one");
     }
   }
   const Query query = tests::query({0, 10, 20}, {0, -1, 0}, 1.0);
@@ -190,6 +194,6 @@ TEST_CASE("A contact refuses bad arguments", "[4.4]") {
     contact_trial(query, time)
         .expect_throw([&] { return contact_at(query.particle, query.cylinder, time).normal; },
                       "the time is not finite",
-                      "the arguments are not checked: each must throw std::invalid_argument");
+                      "the arguments are not checked: throw std::invalid_argument for a bad one");
   }
 }

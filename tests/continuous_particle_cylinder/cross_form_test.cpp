@@ -41,7 +41,7 @@ void expect_deep(const Query& query, int index, int count,
   const Time wanted = tests::time_of(query);
   trial.expect(got, wanted,
                {deep_bound * wanted.seconds.value_or(0.0),
-                "a root of a difference; its derivation stands in the test"},
+                "a root of a difference; the test derives this bound"},
                suspects);
 }
 void expect_deep(const Query& query, int index, int count) {
@@ -61,14 +61,14 @@ void expect_not_missed(const Query& query, int index, int count) {
   const auto trial = tests::trial(cross_form_step, query, index, count);
   const Time got{trial.returned([&] { return cross_form(query); })};
   const Time wanted = tests::time_of(query);
-  if (wanted.seconds && !got.seconds) trial.expect(got, wanted, {0.0, "no impact is missed"});
+  if (wanted.seconds && !got.seconds) trial.expect(got, wanted, {0.0, "no impact may be missed"});
   if (!wanted.seconds && got.seconds && clearly_missed(query)) {
-    trial.expect(got, wanted, {0.0, "it passes by more than 64 eps"},
+    trial.expect(got, wanted, {0.0, "the path stays outside by more than 64 eps"},
                  [&] { return tests::suspects_of(query); });
   }
   const double t = got.seconds.value_or(0.0);
   trial.expect_small("time out of [0, dt]", std::max(-t, t - query.dt) + 0.0 * t,
-                     {0.0, "an impact is in [0, dt]"});
+                     {0.0, "the time of an impact is in [0, dt]"});
 }
 
 /// Whether of these paths those are missed, and no others, whose |w| is beyond ρ|v| when y v_z and
@@ -117,9 +117,11 @@ TEST_CASE("The cross form counts touches at the start and in passing and at dt",
         tests::trial(cross_form_step, tie.query, ++index, static_cast<int>(ties.size()));
     // Deeper by 64 eps of ρ the line would enter √(2 · 64 eps) ρ earlier.
     const double way = std::sqrt(128.0 * eps) * tests::rho(tie.query);
-    tests::expect_tie(trial, cross_form, tie,
-                      {way, "at a touch in passing a few eps of depth are a root of eps of time"},
-                      [&] { return tests::suspects_of(tie.query); });
+    tests::expect_tie(
+        trial, cross_form, tie,
+        {way,
+         "at a touch in passing an error of a few eps in depth is one of a root of eps in time"},
+        [&] { return tests::suspects_of(tie.query); });
   }
 }
 
@@ -143,8 +145,9 @@ TEST_CASE("Far off the cross form keeps the digits that the textbook loses", "[4
       const Query query = tests::query({3.0, D, z}, {0.0, -2.0, 0.0}, D, 0.75, 0.5);
       const auto suspects = [&] {
         auto all = tests::suspects_of(query);
-        all.push_back(
-            {{0.5 * D}, "the discriminant cancels: far off b^2 - a c of rounded squares is noise"});
+        all.push_back({{0.5 * D},
+                       "the discriminant cancels, because far off b^2 - a c of rounded squares is "
+                       "noise: use the cross product"});
         return all;
       };
       expect_deep(query, ++index, 54, suspects);
@@ -194,9 +197,11 @@ TEST_CASE("The cross form misses no oblique grazing impact from near or far", "[
     const Time got{trial.returned([&] { return cross_form(query); })};
     const Time wanted = tests::time_of(query);
     if (!wanted.seconds || got.seconds) continue;
-    trial.expect(got, wanted, {0.0, "no impact is missed"}, [&] {
+    trial.expect(got, wanted, {0.0, "no impact may be missed"}, [&] {
       return misses_by_rounded_products(queries)
-                 ? tests::TimeSuspects{{{}, "the products of x × v are rounded before they cancel"}}
+                 ? tests::TimeSuspects{{{},
+                                        "the products of x × v are rounded before they cancel: use "
+                                        "difference_of_products"}}
                  : tests::TimeSuspects{};
     });
   }

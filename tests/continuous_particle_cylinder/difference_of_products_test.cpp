@@ -30,12 +30,13 @@ void expect_difference(const Products& p, int index, int count) {
                          .given("d", d);
   trial.expect(
       got, wanted, {bound, "2 ulp of the difference"},
-      {{a * b - c * d, "both products are rounded before they cancel"},
-       {static_cast<double>(Digits100(ab + cd)), "the second product is added"},
-       {static_cast<double>(Digits100(cd - ab)), "the wrong way round: c d - a b"},
-       {std::fma(a, b, -(c * d)), "the rounding of c d is not put back"},
+      {{a * b - c * d, "both products are rounded before they cancel: use std::fma"},
+       {static_cast<double>(Digits100(ab + cd)), "the second product is added: subtract it"},
+       {static_cast<double>(Digits100(cd - ab)),
+        "it is the wrong way round: return a b - c d, not c d - a b"},
+       {std::fma(a, b, -(c * d)), "the rounding error of c d is not put back: add it"},
        {static_cast<double>(Digits100(Digits100(a) * Digits100(b) - 2 * Digits100(c * d) + cd)),
-        "the rounding of c d is put back with the wrong sign"}});
+        "the rounding error of c d is put back with the wrong sign: change the sign"}});
   trial.expect_small("ulp from a b - c d", exact == 0 ? std::abs(got) : tests::ulps(got, exact),
                      {2.0, "2 ulp of the difference"});
 }

@@ -80,36 +80,39 @@ inline void add_suspects_of_path(TimeSuspects& suspects, const Query& query) {
   if (f.b > 0) {
     const auto root = static_cast<double>(Digits50(
         ldexp(Digits50(-(Digits50(f.b) + root_of_discriminant(f)) / Digits50(f.a)), f.unit)));
-    suspects.push_back({{root}, "a root below 0 is accepted: that impact is in the past"});
+    suspects.push_back(
+        {{root}, "a root below 0 is accepted: that impact is in the past, so return none"});
     return;
   }
   const auto first = static_cast<double>(first_root(f));
   const auto later = static_cast<double>(later_root(f));
   if (first > query.dt) {
-    suspects.push_back({{first}, "dt is ignored: that impact is after it"});
+    suspects.push_back({{first}, "dt is ignored: this impact is after dt, so return none"});
     return;
   }
-  suspects.push_back({later <= query.dt ? Time{later} : Time{},
-                      "the later root is returned, at which the particle leaves"});
+  suspects.push_back(
+      {later <= query.dt ? Time{later} : Time{},
+       "the later root is returned, at which the particle leaves: return the first"});
   const double speed = std::hypot(query.particle.velocity.y(), query.particle.velocity.z());
-  suspects.push_back({{first * speed}, "t is scaled by the speed: that is the way to the impact"});
+  suspects.push_back(
+      {{first * speed}, "t is scaled by the speed, so it is a length: divide by the speed"});
 }
 
 /// What is believed of a particle that is inside at the start.
 inline void add_suspects_of_inside(TimeSuspects& suspects, const Query& query) {
   const Quadratic f = quadratic(query);
-  suspects.push_back({{}, "a start inside is missed: it is an impact at 0"});
+  suspects.push_back({{}, "a start inside is missed: return 0"});
   if (f.a == 0) return;
   const auto later = static_cast<double>(later_root(f));
   suspects.push_back({later <= query.dt ? Time{later} : Time{},
-                      "a start inside gives the time at which the particle leaves, not 0"});
+                      "a start inside gives the time at which the particle leaves: return 0"});
 }
 
 inline TimeSuspects suspects_of(const Query& query) {
   TimeSuspects suspects{{rounded(first_time(quadratic(query, 0.0), query.dt)),
-                         "the particle's radius is forgotten: R where R + r belongs"},
+                         "the particle's radius is forgotten: use R + r, not R"},
                         {rounded(first_time(quadratic(query, query.particle.radius, 3), query.dt)),
-                         "x is kept in the distance: only y and z count"}};
+                         "x is kept in the distance: use only y and z"}};
   if (quadratic(query).c > 0) {
     add_suspects_of_path(suspects, query);
   } else {

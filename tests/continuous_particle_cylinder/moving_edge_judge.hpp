@@ -29,14 +29,15 @@ inline Trial edge_trial(const EdgeCase& c, int index = 1, int count = 1) {
 }
 
 inline std::vector<std::pair<InsideReading, std::string>> misreadings() {
-  return {{{.ignored = true}, "the ends alone are tried: the inside of the edge touches first"},
+  return {{{.ignored = true},
+           "the ends alone are checked: check the inside of the edge, which touches first"},
           {{.line_for_edge = true},
-           "the line is taken for the edge: the foot of the perpendicular must be inside it"},
-          {{.start_missed = true},
-           "a start at which the inside touches is missed: it is an impact at 0"},
-          {{.thin = true}, "the edge's radius is forgotten in the quartic: R where R + r belongs"},
-          {{.one_velocity = true}, "both ends move with the velocity of a"},
-          {{.last = true}, "a later root is returned, not the first"}};
+           "the line is taken for the edge: the foot of the perpendicular must be inside the edge"},
+          {{.start_missed = true}, "a start at which the inside touches is missed: return 0"},
+          {{.thin = true}, "the edge's radius is forgotten in the quartic: use R + r, not R"},
+          {{.one_velocity = true},
+           "both ends move with the velocity of a: use the velocity of b for b"},
+          {{.last = true}, "a later root is returned: return the first"}};
 }
 
 inline std::vector<Suspect<Time>> suspects_of_edge(const EdgeTruth& truth) {
@@ -57,7 +58,7 @@ inline bool is_right_beside(EdgeCase c) {
 inline std::vector<Suspect<Time>> suspects_of_edge(const EdgeTruth& truth, const EdgeCase& c) {
   if (!is_right_beside(c)) return suspects_of_edge(truth);
   return {{truth.time({.ignored = true}),
-           "a touch is not counted: an edge that comes no nearer than rho has an impact, too"}};
+           "a touch is not counted: an edge that just reaches rho has an impact, too"}};
 }
 
 /// Requires hit or miss as in exact arithmetic, and the time to 1e-14 of dt.

@@ -87,12 +87,13 @@ TEST_CASE("Samples miss a passage that is shorter than their spacing", "[4.6]") 
       const tests::Trial trial = edge_trial(c, i, 10);
       const Time got = trial.returned([&] { return edge_time(c); });
       trial.expect(got, {middle - 0.5 * duration},
-                   {2e-14, "1e-14 of dt, and the input's own rounding: some ulp of the way to go"});
+                   {2e-14, "1e-14 of dt, and the rounding of the input: a few ulp of the way"});
       const Time sampled = first_sample(c, samples);
       REQUIRE(sampled.seconds.has_value() == (part > 1.0));
       if (sampled.seconds) {
-        trial.expect_small("the first sample that touches is later by",
-                           *sampled.seconds - *got.seconds, {spacing, "a touch begins before it"});
+        trial.expect_small("delay of the first sample that touches",
+                           *sampled.seconds - *got.seconds,
+                           {spacing, "the touch begins before this sample"});
       }
     }
   }
@@ -101,7 +102,7 @@ TEST_CASE("Samples miss a passage that is shorter than their spacing", "[4.6]") 
 // Whole numbers but for the share: an edge of half length 3 that passes along its own line, rests,
 // or comes square to itself, for too short a time.
 TEST_CASE("An edge that stays outside narrowly has no impact", "[4.6]") {
-  const std::string likely = "a near miss is taken for a hit: signs are to be exact";
+  const std::string likely = "a near miss is taken for a hit: decide the signs exactly";
   for (const double share : {4.0 * tests::eps, 1e-12, 1e-9, 5e-8}) {
     const double z = 2.0 * (1.0 + share);
     const auto edge = [&](double height, const Vec3& v, double dt) {
@@ -129,6 +130,6 @@ TEST_CASE("A moving edge that is no edge is refused", "[4.6]") {
   for (const auto& [why, c] : bad) {
     edge_trial(c, ++index, static_cast<int>(bad.size()))
         .expect_throw([&, &c = c] { return edge_time(c); }, why,
-                      "the arguments are not checked: each must throw std::invalid_argument");
+                      "the arguments are not checked: throw std::invalid_argument for a bad one");
   }
 }

@@ -52,7 +52,7 @@ inline NarrowMiss narrow_pass(Random& random, double share, const Aim& aim) {
   const Query query = aimed(random, aim);
   const double offset = offset_of(query);
   return {with_rho(query, offset * (1.0 - share)), with_rho(query, 0.99 * offset),
-          "a line that passes just outside is taken for a hit: a margin is a few eps"};
+          "a line that passes just outside is taken for a hit: use a margin of a few eps"};
 }
 
 /// It starts outside by a share of ρ and leaves, or rests.
@@ -61,7 +61,7 @@ inline NarrowMiss narrow_start(Random& random, double share, double speed) {
   query.particle.velocity *= -speed;
   const double distance = std::hypot(query.particle.position.y(), query.particle.position.z());
   return {with_rho(query, distance * (1.0 - share)), with_rho(query, 0.99 * distance),
-          "a start just outside is taken for touching: a margin is a few eps"};
+          "a start just outside is taken for touching: use a margin of a few eps"};
 }
 
 /// Its dt ends before t* by a share of it.
@@ -71,7 +71,7 @@ inline NarrowMiss narrow_end(Random& random, double share, const Aim& aim) {
   Query beside = query;
   query.dt = time * (1.0 - share);
   beside.dt = 0.99 * time;
-  return {query, beside, "an end just outside is taken for an arrival: a margin is a few eps"};
+  return {query, beside, "an end just outside is taken for an arrival: use a margin of a few eps"};
 }
 
 /// Starts 1.5 to 5 ρ away, so that a share of the way is a share of ρ, too.

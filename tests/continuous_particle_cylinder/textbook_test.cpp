@@ -14,7 +14,8 @@ namespace {
 
 const std::string textbook_step = "4.1 time_of_impact_textbook";
 const std::string not_the_textbook =
-    "this is not the textbook's formula: it is too good far off; write eq. (3) as it stands";
+    "this is not the textbook's formula, because it is too exact far off: write eq. (3) as it "
+    "stands";
 
 std::optional<double> textbook(const Query& query) {
   return time_of_impact_textbook(query.particle, query.cylinder, query.dt);
@@ -30,7 +31,7 @@ Time with_half_of_b(const Query& query) {
 
 tests::TimeSuspects textbook_suspects(const Query& query) {
   tests::TimeSuspects suspects = tests::suspects_of(query);
-  suspects.push_back({with_half_of_b(query), "b lacks its factor: x.v where 2 x.v belongs"});
+  suspects.push_back({with_half_of_b(query), "b lacks its factor 2: use 2 x.v, not x.v"});
   return suspects;
 }
 
@@ -56,7 +57,7 @@ TEST_CASE("The textbook root is right on paths of whole numbers", "[4.1]") {
   for (const auto& [query, time] : cases) {
     const auto trial = tests::trial(textbook_step, query, ++index, static_cast<int>(cases.size()));
     trial.expect(Time{trial.returned([&, &q = query] { return textbook(q); })}, Time{time},
-                 {4.0 * eps * time.value_or(0.0), "whole numbers: only the division may round"},
+                 {4.0 * eps * time.value_or(0.0), "whole numbers, so only the division may round"},
                  [&, &q = query] { return textbook_suspects(q); });
   }
 }
@@ -67,7 +68,7 @@ TEST_CASE("The textbook root counts touches at the start and in passing and at d
   for (const tests::Tie& tie : ties) {
     tests::expect_tie(
         tests::trial(textbook_step, tie.query, ++index, static_cast<int>(ties.size())), textbook,
-        tie, {4.0 * eps * tie.time, "whole numbers: all is exact"},
+        tie, {4.0 * eps * tie.time, "whole numbers, so everything is exact"},
         [&] { return textbook_suspects(tie.query); });
   }
 }
@@ -119,9 +120,9 @@ TEST_CASE("The textbook root loses digits with the square of the distance", "[4.
     const double least = distance * distance * eps / 16.0;
     tests::trial(textbook_step, query)
         .expect_small("eps |x|^2/16 over the median error of the place", least / errors[100],
-                      {1.0, "the rounding of b^2 alone costs as much"},
-                      "this is not the textbook's formula: it is too good far off; write eq. (3) "
-                      "as it stands");
+                      {1.0, "the rounding of b^2 alone makes an error of this size"},
+                      "this is not the textbook's formula, because it is too exact far off: write "
+                      "eq. (3) as it stands");
   }
 }
 
@@ -140,7 +141,7 @@ TEST_CASE("Farther than eps allows the textbook root misses hits and finds false
                       got.seconds ? std::max({0.0, -*got.seconds, *got.seconds - query.dt}) +
                                         0.0 * *got.seconds
                                   : 0.0,
-                      {0.0, "an impact is in [0, dt]"});
+                      {0.0, "the time of an impact is in [0, dt]"});
     if (i % 2 == 0 && !got.seconds) ++missed;
     if (i % 2 == 1 && got.seconds) ++false_hits;
   }
@@ -149,7 +150,8 @@ TEST_CASE("Farther than eps allows the textbook root misses hits and finds false
   const std::string likely = too_good ? not_the_textbook : "";
   const auto trial = tests::trial(textbook_step, query);
   trial.expect_small("1 - hits missed", 1.0 - missed, {0.0, "200 paths through the axis"}, likely);
-  trial.expect_small("1 - false hits", 1.0 - false_hits, {0.0, "200 paths 3 rho beside"}, likely);
+  trial.expect_small("1 - false hits", 1.0 - false_hits, {0.0, "200 paths that pass at 3 rho"},
+                     likely);
 }
 
 TEST_CASE("Near one the textbook root finds nothing where a path stays outside narrowly", "[4.1]") {

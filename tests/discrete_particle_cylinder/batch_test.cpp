@@ -57,9 +57,9 @@ std::vector<Suspect<IndexList>> suspects(const Batch& batch) {
   });
   IndexList from_one = right;
   for (std::size_t& index : from_one.indices) ++index;
-  return {{falling, "the indices fall; they are to rise"},
-          {by_depth, "the deepest comes first; the indices are to rise"},
-          {from_one, "the indices are counted from 1"},
+  return {{falling, "the indices fall: they must rise"},
+          {by_depth, "the deepest comes first: the indices must rise"},
+          {from_one, "the indices are counted from 1: count from 0"},
           {indices_where(batch, [&](const Vec3& p) { return tests::distance(p) < exact_rho; }),
            story::touching},
           {indices_where(
@@ -73,7 +73,7 @@ std::vector<Suspect<IndexList>> suspects(const Batch& batch) {
 
 void expect_right(const Batch& batch, int index = 1, int count = 1) {
   batch_trial(batch, index, count)
-      .expect(answer(batch), wanted(batch), {0.0, "a list is right or wrong"},
+      .expect(answer(batch), wanted(batch), {0.0, "both lists must be equal"},
               [&] { return suspects(batch); });
 }
 
@@ -150,7 +150,7 @@ TEST_CASE("A particle within a hundred roundings of touching is judged rightly",
       }
     }
     batch_trial(batch, i, 20)
-        .expect(answer(batch), wanted(batch), {0.0, "a list is right or wrong"}, [&] {
+        .expect(answer(batch), wanted(batch), {0.0, "both lists must be equal"}, [&] {
           const auto near = [&](const Vec3& p) { return tests::distance(p) <= rho + 1e-9; };
           return std::vector<Suspect<IndexList>>{{indices_where(batch, near), story::tolerance}};
         });
@@ -173,11 +173,12 @@ TEST_CASE("A hundred times the particles take no more allocations", "[3.3]") {
   }
   const double grown = counts[1] - counts[0];
   Trial("3.3 particles_in_contact")
-      .expect_small("allocations for 100,000 particles more than for 1,000", std::max(grown, 0.0),
-                    {0.0, "their number does not grow as the number of particles does"},
-                    grown < 100.0
-                        ? "the list grows by push_back and is moved each time: reserve its room"
-                        : "memory is taken for each particle");
+      .expect_small(
+          "allocations for 100,000 particles minus those for 1,000", std::max(grown, 0.0),
+          {0.0, "their number must not grow with the number of particles"},
+          grown < 100.0
+              ? "the list grows by push_back, which moves it each time: reserve its space first"
+              : "memory is allocated for each particle: allocate it once");
 }
 
 TEST_CASE("A batch is asked of finite positions and of radii above zero only", "[3.3]") {

@@ -21,9 +21,10 @@ tests::Trial contact_trial(const Meeting& m, int index = 1, int count = 1) {
 
 /// Of a contact where the surfaces are a little apart: there may be one wherever they are.
 std::string why_apart() {
-  return contact(Vec3(0.0, 0.0, 9.0), 0.5, Cylinder{1.0}, 0.0) ? "a contact is returned where the "
-                                                                 "surfaces are apart"
-                                                               : story::tolerance;
+  return contact(Vec3(0.0, 0.0, 9.0), 0.5, Cylinder{1.0}, 0.0)
+             ? "a contact is returned although the surfaces are apart: return none if the gap is "
+               "above zero"
+             : story::tolerance;
 }
 
 /// Right angles in whole numbers, whose root is exact; R + r is the hypotenuse.
@@ -68,9 +69,10 @@ TEST_CASE("Where the surfaces are apart there is no contact", "[3.2]") {
     const Meeting apart = tests::random_meeting(random, 1.0 + share);
     contact_trial(apart, i, 50)
         .expect(Presence{contact_of(apart)}, Presence{}, {0.0, "the gap is above zero"},
-                {{Presence{ParticleContact{}}, share < 1e-6 ? story::tolerance
-                                                            : "a contact is returned where the "
-                                                              "surfaces are apart"}});
+                {{Presence{ParticleContact{}},
+                  share < 1e-6 ? story::tolerance
+                               : "a contact is returned although the surfaces are apart: return "
+                                 "none if the gap is above zero"}});
     const Meeting inside = tests::random_meeting(random, 1.0 - 0.05 * share);
     tests::expect_contact(contact_trial(inside, i, 50), contact_of(inside), inside);
   }

@@ -43,8 +43,8 @@ TEST_CASE("An edge three above the axis is nearest a fifth of its way along", "[
   edge_trial(e)
       .of("the fraction")
       .expect(got.fraction, 0.2, {16.0 * eps, "a few roundings"},
-              {{0.8, "the fraction is counted from b"},
-               {1.0, "it is a length; a fraction is a share of the edge"}});
+              {{0.8, "the fraction is counted from b: count it from a"},
+               {1.0, "it is a length: divide it by the length of the edge"}});
 }
 
 TEST_CASE("An edge that points away from the axis is nearest at its end", "[3.5]") {

@@ -24,11 +24,12 @@ std::string why_up() {
 
 std::vector<tests::Suspect<Vec3>> suspects_of_gradient(const Vec3& p) {
   const Vec3 right = tests::exact_gradient(p);
-  return {{Vec3(-right), "it points to the axis, where the gap falls"},
-          {Vec3(p / tests::length(p)), story::keeps_x},
-          {Vec3(0.0, p.y(), p.z()), "it is not divided by the distance: a gradient is unit here"},
-          {Vec3(0.0, right.z(), right.y()), "y and z are swapped"},
-          {Vec3(Vec3::UnitY()), why_up()}};
+  return {
+      {Vec3(-right), "it points to the axis: change its sign, because the gap grows outwards"},
+      {Vec3(p / tests::length(p)), story::keeps_x},
+      {Vec3(0.0, p.y(), p.z()), "it is not divided by the distance: this gradient has length 1"},
+      {Vec3(0.0, right.z(), right.y()), "y and z are swapped: exchange them"},
+      {Vec3(Vec3::UnitY()), why_up()}};
 }
 
 /// From 1e-300 to 1e300, and each decade in between that ends in a nought.
@@ -120,9 +121,9 @@ TEST_CASE("On the axis the gradient is up by contract", "[3.1]") {
     const Vec3 p(x, 0.0, x > 0.0 ? -0.0 : 0.0);
     Trial("3.1 gap_gradient")
         .given("position", p)
-        .expect(gap_gradient(p), Vec3(Vec3::UnitY()), {0.0, "the contract names the vector"},
-                {{Vec3(Vec3::Zero()), "it is zero on the axis, where the contract says +y"},
-                 {Vec3(Vec3::UnitZ()), "the contract says +y on the axis, not +z"}});
+        .expect(gap_gradient(p), Vec3(Vec3::UnitY()), {0.0, "the contract fixes this vector"},
+                {{Vec3(Vec3::Zero()), "it is zero on the axis: return +y there"},
+                 {Vec3(Vec3::UnitZ()), "it is +z on the axis: return +y there"}});
   }
 }
 

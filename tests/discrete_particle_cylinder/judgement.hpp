@@ -19,16 +19,19 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 namespace story {
 
-inline const std::string no_r = "the particle's radius is missing: the gap is to R + r, not to R";
-inline const std::string no_radii = "this is the distance from the axis: no radius is taken off";
-inline const std::string keeps_x = "x is kept in the distance: along the cylinder nothing changes";
-inline const std::string reversed_gap = "the sign is reversed: a gap is above zero outside";
-inline const std::string underflow = "the squares vanish: 1e-200 squared is 0, std::hypot is not";
+inline const std::string no_r = "the particle's radius is missing: subtract R + r, not R";
+inline const std::string no_radii = "this is the distance from the axis: subtract R + r";
+inline const std::string keeps_x =
+    "x is kept in the distance: leave it out, because nothing changes along the cylinder";
+inline const std::string reversed_gap = "the sign is reversed: the gap is above zero outside";
+inline const std::string underflow =
+    "the squares vanish, because 1e-200 squared is 0: use std::hypot";
 inline const std::string near_axis =
-    "what is near the axis is taken for on it: only a distance of zero is on the axis";
-inline const std::string touching = "touching counts: a gap of zero is a contact";
-inline const std::string tolerance = "a tolerance is added: a gap above zero is no contact";
-inline const std::string no_time = "the time is not passed on";
+    "a point near the axis is taken for one on it: test only for a distance of exactly zero";
+inline const std::string touching = "touching counts: a gap of exactly zero is a contact";
+inline const std::string tolerance =
+    "a tolerance is added: leave it out, because a gap above zero is not a contact";
+inline const std::string no_time = "the time is not passed on: set the contact's time";
 inline const std::string unchecked = "this argument is not checked: see common/require.hpp";
 
 }  // namespace story
@@ -158,7 +161,7 @@ inline std::vector<Suspect<double>> suspects_of_gap(const Meeting& m) {
           {rounded(sqrt(x * x + d * d) - sum), story::keeps_x},
           {rounded(sum - d), story::reversed_gap},
           {rounded(d - m.cylinder.radius + m.particle_radius),
-           "the particle's radius is added to the gap; it makes the gap less"},
+           "the particle's radius is added to the gap: subtract it"},
           {rounded(-sum), why_gap_has_no_distance()}};
 }
 
@@ -173,7 +176,8 @@ inline Vec3 exact_gradient(const Vec3& p) {
 /// slack  by how much the particle's position may be off [m]
 inline void expect_contact(const Trial& trial, const std::optional<ParticleContact>& got,
                            const Meeting& m, double slack = 0.0) {
-  trial.expect(Presence{got}, Presence{ParticleContact{}}, {0.0, "the gap is not above zero"});
+  trial.expect(Presence{got}, Presence{ParticleContact{}},
+               {0.0, "the gap is not above zero, so there is a contact"});
   const Vec3 n = exact_gradient(m.position);
   const Vec3 axis_point(m.position.x(), 0.0, 0.0);
   const double R = m.cylinder.radius;
@@ -185,26 +189,29 @@ inline void expect_contact(const Trial& trial, const std::optional<ParticleConta
 
   trial.of("the normal")
       .expect(got->normal, n, {turned, "a few roundings of a unit vector"},
-              {{Vec3(-n), "the normal points into the cylinder; it points to the particle"},
+              {{Vec3(-n), "the normal points into the cylinder: change its sign"},
                {whole, story::keeps_x},
-               {Vec3(Vec3::Zero()), "it is zero on the axis, where the contract says +y"}});
+               {Vec3(Vec3::Zero()), "it is zero on the axis: return +y there"}});
   trial.of("the point on the cylinder")
       .expect(got->point_on_cylinder, Vec3(axis_point + R * n),
               {along + R * turned, "R times the normal's rounding, and that of x"},
-              {{Vec3(R * n), "x is lost: the points are beside the particle, not at x = 0"},
-               {Vec3(axis_point + (R + r) * n), "it is R + r from the axis; the surface is at R"},
-               {Vec3(axis_point - R * n), "it is on the far side of the cylinder"},
-               {m.position, "it is the particle's centre"}});
+              {{Vec3(R * n), "x is lost: use the particle's x, not 0"},
+               {Vec3(axis_point + (R + r) * n), "it is R + r from the axis: the surface is at R"},
+               {Vec3(axis_point - R * n),
+                "it is on the far side of the cylinder: go from the axis along +n"},
+               {m.position, "it is the particle's centre: go from the axis along n by R"}});
   trial.of("the point on the particle")
       .expect(got->point_on_particle, Vec3(m.position - r * n),
               {along + r * turned, "r times the normal's rounding, and that of the position"},
-              {{Vec3(m.position + r * n), "it is on the far side of the particle"},
-               {m.position, "it is the particle's centre"},
-               {Vec3(axis_point + R * n), "it is the point on the cylinder"}});
+              {{Vec3(m.position + r * n), "it is on the far side of the particle: subtract r n"},
+               {m.position, "it is the particle's centre: subtract r n"},
+               {Vec3(axis_point + R * n),
+                "it is the point on the cylinder: subtract r n from the position instead"}});
   trial.of("the gap").expect(got->gap, m.gap(), {slack + 4.0 * eps * m.size(), "as in step 3.1"},
                              [&] { return suspects_of_gap(m); });
   trial.of("the time")
-      .expect(got->time, m.time, {2.0 * eps * std::abs(m.time), "it is passed on, or k T/N"},
+      .expect(got->time, m.time,
+              {2.0 * eps * std::abs(m.time), "the time that was passed in, or k T/N"},
               {{0.0, story::no_time}});
 }
 
@@ -216,10 +223,10 @@ void expect_radii_checked(const char* function, const Call& call) {
   for (const double bad : {0.0, -1.0, nan, infinity}) {
     radii_trial(function, bad, {1.0}, ++index, 8)
         .expect_throw([&] { return call(bad, Cylinder{1.0}); },
-                      "a particle's radius is finite and above zero", story::unchecked);
+                      "a particle's radius must be finite and above zero", story::unchecked);
     radii_trial(function, 0.5, {bad}, ++index, 8)
         .expect_throw([&] { return call(0.5, Cylinder{bad}); },
-                      "a cylinder's radius is finite and above zero", story::unchecked);
+                      "a cylinder's radius must be finite and above zero", story::unchecked);
   }
 }
 

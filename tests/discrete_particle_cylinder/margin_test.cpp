@@ -32,7 +32,7 @@ double wanted(const Margin& m) {
 std::string why_without_edges() {
   const bool right_near_one = std::abs(particle_margin(8.0, 0.5, {2.5}) - 2.0) < 1e-9;
   return right_near_one ? tests::story::underflow
-                        : "edges are forgotten: their ends must be farther off";
+                        : "edges are forgotten: their ends must be farther from the axis";
 }
 
 std::vector<Suspect<double>> suspects(const Margin& m) {
@@ -40,19 +40,20 @@ std::vector<Suspect<double>> suspects(const Margin& m) {
   const Exact R = m.cylinder.radius;
   const Exact rho = m.rho();
   const auto value = [](const Exact& x) { return tests::rounded(x); };
-  const char* const no_rho = "R stands where rho = R + r belongs";
-  return {{value(std::max(held(R, h), pierced(h)) - R), no_rho},
-          {value(std::max(held(R, h), pierced(h)) - rho), no_rho},
-          {value(std::max(held(rho, h), pierced(h)) - R), no_rho},
-          {value(std::max(held(rho, 2 * h), pierced(h)) - rho),
-           "h stands where h/2 belongs: the middle is half an edge from its ends"},
-          {value(held(rho, h) - rho),
-           "a great triangle is forgotten: its corners may be h/sqrt(3) from the axis inside it"},
-          {value(pierced(h) - rho), why_without_edges()},
-          {value(std::max(held(rho, h), pierced(h))),
-           "this is a distance from the axis; a margin is a gap, less rho"},
-          {value(rho - sqrt(abs(rho * rho - h * h / 4))),
-           "this is how deep an edge sinks whose ends touch"}};
+  const char* const no_rho = "R is used instead of rho: add the particle's radius";
+  return {
+      {value(std::max(held(R, h), pierced(h)) - R), no_rho},
+      {value(std::max(held(R, h), pierced(h)) - rho), no_rho},
+      {value(std::max(held(rho, h), pierced(h)) - R), no_rho},
+      {value(std::max(held(rho, 2 * h), pierced(h)) - rho),
+       "h is used instead of h/2: the middle is half an edge from its ends"},
+      {value(held(rho, h) - rho),
+       "a large triangle is forgotten: its corners can be h/sqrt(3) from an axis inside it"},
+      {value(pierced(h) - rho), why_without_edges()},
+      {value(std::max(held(rho, h), pierced(h))),
+       "this is a distance from the axis: a margin is a gap, so subtract rho"},
+      {value(rho - sqrt(abs(rho * rho - h * h / 4))),
+       "this is how deep an edge sinks if its ends touch: return how far off they must be held"}};
 }
 
 tests::Trial margin_trial(const Margin& m, int index = 1, int count = 1) {
@@ -200,9 +201,10 @@ TEST_CASE("Held at a tenth less than the margin the deepest triangle sinks unsee
       const SheetContacts got = sheet_contacts(sheet, m.cylinder);
       const tests::Trial trial = tests::sheet_trial(sheet, m.cylinder, index, 40);
       trial.of("the particles")
-          .expect(IndexList{got.particles}, IndexList{}, {0.0, "all are held off"});
+          .expect(IndexList{got.particles}, IndexList{}, {0.0, "all particles are held off"});
       trial.of("the triangles")
-          .expect(IndexList{got.triangles}, IndexList{{0}}, {0.0, "the margin was not kept"});
+          .expect(IndexList{got.triangles}, IndexList{{0}},
+                  {0.0, "the particles are nearer than the margin"});
     }
   }
 }
@@ -211,7 +213,7 @@ TEST_CASE("A margin is asked of a finite length and of radii above zero only", "
   for (const double bad : {-1.0, -1e-300, tests::nan, tests::infinity}) {
     margin_trial({bad, 0.5, {1.0}})
         .expect_throw([&] { return particle_margin(bad, 0.5, Cylinder{1.0}); },
-                      "a length is finite and not below zero", tests::story::unchecked);
+                      "the length must be finite and not below zero", tests::story::unchecked);
   }
   tests::expect_radii_checked("3.6 particle_margin", [](double r, const Cylinder& c) {
     return particle_margin(1.0, r, c);

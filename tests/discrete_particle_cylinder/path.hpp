@@ -11,7 +11,8 @@
 namespace tests {
 
 namespace story {
-inline const std::string last_sample = "this is not the first sample in contact but a later one";
+inline const std::string last_sample =
+    "this is not the first sample in contact but a later one: stop at the first";
 }  // namespace story
 
 struct Flight {
@@ -96,13 +97,14 @@ inline std::vector<Suspect<FoundTime>> suspects_of_time(const Flight& f) {
   for (std::size_t k = shares.size(); k-- > 0;) {
     if (f.at(shares[k]).gap() <= 0.0) at_share = {all[k]};
   }
-  return {{first_in(f, {all.rbegin(), all.rend()}), story::last_sample},
-          {at_share, "the position is taken at k/N; its time is k times the duration over N"},
-          {first_in(f, times(T, N, 1, N)), "the start is a sample too: k = 0"},
-          {first_in(f, times(T, N, 0, N - 1)), "the end is a sample too: k = N"},
-          {first_in(f, times(1.0, N, 0, N)), "the samples end at 1 s, not at the duration"},
-          {touching_missed, story::touching},
-          {FoundTime{0.0}, story::no_time}};
+  return {
+      {first_in(f, {all.rbegin(), all.rend()}), story::last_sample},
+      {at_share, "the position is taken at the time k/N: take it at k T/N"},
+      {first_in(f, times(T, N, 1, N)), "the start is a sample too: begin at k = 0"},
+      {first_in(f, times(T, N, 0, N - 1)), "the end is a sample too: go on to k = N"},
+      {first_in(f, times(1.0, N, 0, N)), "the samples end at 1 s: multiply k/N by the duration"},
+      {touching_missed, story::touching},
+      {FoundTime{0.0}, story::no_time}};
 }
 
 /// A straight way across the cylinder, b beside the axis: in contact along a chord of length L.

@@ -129,7 +129,7 @@ TEST_CASE("Samples s apart miss a chord L for a share 1 - L over s of all phases
     tests::flight_trial(crossing.flight(ratio, 0.0))
         .of("the share of phases that miss")
         .expect(missed / phases, std::max(0.0, 1.0 - ratio), {1e-3, "2000 phases, evenly spaced"},
-                {{0.0, "the path is looked at between its samples; this step only samples"}});
+                {{0.0, "the path is checked between its samples: check the samples only"}});
   }
 }
 
@@ -171,9 +171,10 @@ TEST_CASE("A path is asked of finite numbers and at least one sample only", "[3.
             },
             why, story::unchecked);
   };
-  for (const int samples : {0, -1}) refused(path, samples, "there must be a sample");
+  for (const int samples : {0, -1}) refused(path, samples, "there must be at least one sample");
   for (const double duration : {-1.0, tests::nan, tests::infinity}) {
-    refused({path.position, path.velocity, duration}, 4, "a duration is finite and not below 0");
+    refused({path.position, path.velocity, duration}, 4,
+            "the duration must be finite and not below 0");
   }
   tests::expect_radii_checked(function, [&](double r, const Cylinder& c) {
     return tests::Presence{first_sampled_contact(path, 4, r, c)};

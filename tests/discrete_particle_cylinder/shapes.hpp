@@ -12,17 +12,17 @@ namespace tests {
 
 namespace story {
 inline const std::string ends_only =
-    "only the ends and corners are looked at: what is between them may be nearer";
-inline const std::string line =
-    "the foot is not held on the edge: beyond the ends nothing is left of the line";
-inline const std::string middle = "the middle is taken for the nearest point";
+    "only the ends and corners are checked: points between them may be nearer";
+inline const std::string line = "the foot is not held on the edge: clamp the fraction to [0, 1]";
+inline const std::string middle =
+    "the middle is taken for the nearest point: compute where that is";
 inline const std::string edges_only =
-    "only the edges are looked at: the axis may go through between them";
+    "only the edges are checked: the axis may pass between them, through the triangle";
 inline const std::string length_in_space =
-    "the edge's length is that in space: the fraction is a share of what the yz-plane shows";
-inline const std::string edge_left_out = "one of the three edges is never looked at";
+    "the edge's length is that in space: use its length in the yz-plane";
+inline const std::string edge_left_out = "one of the three edges is never checked: check all three";
 inline const std::string passes_through =
-    "the axis is said to go through and does not: areas of the size of rounding have no sign";
+    "the axis does not pass through the triangle: areas of the size of rounding have no sign";
 }  // namespace story
 
 /// An edge or a triangle, which is as thick as its particles, and the cylinder.
@@ -94,7 +94,7 @@ inline std::vector<Suspect<double>> suspects_of_edge(const Edge& e) {
           {e.gap_of(from_a == from_nearer ? least : from_a), story::length_in_space},
           {e.gap_of(std::min(distance(a), distance(b))), story::ends_only},
           {is_short(e) ? e.gap_of(std::min(distance(a), distance(b))) : e.gap_of(least),
-           "a short edge is taken for a point: only a length of zero is none"},
+           "a short edge is taken for a point: test only for a length of exactly zero"},
           {e.gap_of(foot ? distance_at(a, b, *foot) : least), story::line},
           {e.gap_of(distance_at(a, b, Exact(0.5))), story::middle},
           {rounded(least - e.cylinder.radius), story::no_r},
@@ -114,12 +114,12 @@ inline void expect_edge(const Edge& e, int index = 1, int count = 1) {
   const Bound bound = on_shape(e.size());
   trial.of("the gap").expect(got.gap, wanted, bound, [&] { return suspects_of_edge(e); });
   trial.of("the fraction")
-      .expect(got.fraction, std::clamp(got.fraction, 0.0, 1.0), {0.0, "it is in [0, 1]"});
+      .expect(got.fraction, std::clamp(got.fraction, 0.0, 1.0), {0.0, "it must be in [0, 1]"});
   trial.of("the gap at the fraction " + text(got.fraction))
       .expect(e.gap_of(distance_at(a, b, Exact(got.fraction))), wanted, bound, [&] {
         const Exact foot = foot_on_line(a, b).value_or(0);
-        return std::vector<Suspect<double>>{
-            {e.gap_of(distance_at(a, b, 1 - foot)), "the fraction is counted from b"}};
+        return std::vector<Suspect<double>>{{e.gap_of(distance_at(a, b, 1 - foot)),
+                                             "the fraction is counted from b: count it from a"}};
       });
 }
 
@@ -157,9 +157,9 @@ inline std::vector<Suspect<double>> suspects_of_triangle(const Triangle& t) {
           {t.gap_of(first == nearer ? least : first), story::length_in_space},
           {t.gap_of(edges_distance(t.p)), story::edges_only},
           {thin ? t.gap_of(edges_distance(t.p)) : t.gap_of(least),
-           "a thin triangle is taken for a segment: only areas that are all zero are none"},
+           "a thin triangle is taken for a segment: test only whether all areas are exactly zero"},
           {huge_or_tiny ? t.gap_of(edges_distance(t.p)) : t.gap_of(least),
-           "products of lengths overflow or vanish: scale all by one power of two first"},
+           "products of lengths overflow or vanish: first scale all lengths by one power of two"},
           {t.gap_of(std::min({distance(a), distance(b), distance(c)})), story::ends_only},
           {t.gap_of(distance_at(t.p, Vec3::Constant(1.0 / 3.0))), story::middle},
           {t.gap_of(std::min({middle(a, b), middle(b, c), middle(c, a)})), story::middle},
@@ -203,7 +203,7 @@ inline void expect_triangle(const Triangle& t, int index = 1, int count = 1) {
   trial.of("the gap").expect(got.gap, wanted, on_shape(size),
                              [&] { return suspects_of_triangle(t); });
   const Vec3& w = got.weights;
-  trial.of("the weights").expect(w, Vec3(w.cwiseMax(0.0)), {0.0, "no weight is below 0"});
+  trial.of("the weights").expect(w, Vec3(w.cwiseMax(0.0)), {0.0, "no weight may be below 0"});
   trial.of("the sum of the weights " + text(w))
       .expect(w.sum(), 1.0, {4.0 * eps, "three quotients and their sum"});
   trial.of("the gap at the weights " + text(w))

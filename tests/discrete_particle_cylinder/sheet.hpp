@@ -75,7 +75,7 @@ inline void expect_sheet(const Sheet& sheet, const Cylinder& cylinder, int index
   using Suspects = std::vector<Suspect<IndexList>>;
   const SheetContacts got = lab::discrete_particle_cylinder::sheet_contacts(sheet, cylinder);
   const Trial trial = sheet_trial(sheet, cylinder, index, count);
-  const Bound exactly{0.0, "a list is right or wrong"};
+  const Bound exactly{0.0, "both lists must be equal"};
   trial.of("the particles")
       .expect(IndexList{got.particles}, within(rho_squared, p.size(), particle), exactly, [&] {
         return Suspects{{within(R_squared, p.size(), particle), story::no_r}};

@@ -58,7 +58,8 @@ TEST_CASE("A triangle beside the axis is nearest on its nearest edge", "[3.5]") 
   triangle_trial(t)
       .of("the weights")
       .expect(got.weights, Vec3(0.25, 0.0, 0.75), tests::on_shape(t.size()),
-              {{Vec3(0.75, 0.0, 0.25), "the edge's fraction is that of its other end"}});
+              {{Vec3(0.75, 0.0, 0.25),
+                "the edge's fraction is counted from its other end: use 1 minus the fraction"}});
 }
 
 TEST_CASE("Gaps of triangles agree with a hundred digits", "[3.5]") {
@@ -142,7 +143,8 @@ TEST_CASE("However thin a triangle the axis goes through it", "[3.5]") {
     expect_triangle(t, ++index, 4);
     triangle_trial(t, index, 4).of("the gap").expect(gap_of(t), -width, tests::few_ulp(width), [&] {
       return std::vector<tests::Suspect<double>>{
-          {0.0, "a thin triangle is taken for a segment: only areas that are all zero are none"}};
+          {0.0,
+           "a thin triangle is taken for a segment: test only whether all areas are exactly zero"}};
     });
   }
 }
@@ -182,8 +184,9 @@ TEST_CASE("A great equilateral triangle hides the axis from its edges", "[3.5]")
         .expect(of_edge, h / (2.0 * std::sqrt(3.0)) - rho, tests::on_shape(2.0 * t.size()),
                 [&] { return tests::suspects_of_edge(e); });
     tests::shape_trial("3.5 edge_gap", e, index, 4)
-        .expect_small("1 where the edge is free and should not be, or the other way round",
-                      (of_edge > 0.0) == (share > 1.0) ? 0.0 : 1.0, {0.0, "h is a tenth off"});
+        .expect_small("1 if the edge is free but should touch, or touches but should be free",
+                      (of_edge > 0.0) == (share > 1.0) ? 0.0 : 1.0,
+                      {0.0, "h is a tenth away from the limit"});
     triangle_trial(t, index, 4)
         .of("the gap")
         .expect(gap_of(t), -rho, tests::on_shape(t.size()),

@@ -14,7 +14,8 @@ using tests::wide;
 
 namespace {
 
-constexpr const char* half_is_zero = "q does not change: 1/2 is 0 in whole numbers";
+constexpr const char* half_is_zero =
+    "q does not change, because 1/2 is 0 in whole numbers: write 0.5";
 
 /// Four numbers whose sign counts, unlike an attitude's.
 double distance(const Quat& a, const Quat& b) {
@@ -38,10 +39,12 @@ TEST_CASE("The predicted attitude of two radians about z is one and one along z"
       .given("dt", 0.25)
       .expect_small("distance from Quat(1, 0, 0, 1)", distance(q, Quat(1.0, 0.0, 0.0, 1.0)),
                     {4.0 * eps, "two products and a sum"},
-                    distance(q, Quat(1.0, 0.0, 0.0, 2.0)) < 1e-9 ? "the factor 1/2 is missing"
-                    : distance(q, Quat::Identity()) == 0.0       ? half_is_zero
-                    : std::abs(q.norm() - 1.0) < 1e-9 ? "it is projected already: that comes later"
-                                                      : "");
+                    distance(q, Quat(1.0, 0.0, 0.0, 2.0)) < 1e-9
+                        ? "the factor 1/2 is missing: use half of dt omega q"
+                    : distance(q, Quat::Identity()) == 0.0 ? half_is_zero
+                    : std::abs(q.norm() - 1.0) < 1e-9
+                        ? "it is projected already: leave that to project"
+                        : "");
 }
 
 TEST_CASE("The predicted attitude goes along half of omega q and leaves the sphere", "[2.7]") {
@@ -53,12 +56,13 @@ TEST_CASE("The predicted attitude goes along half of omega q and leaves the sphe
     const Quat got = predicted_attitude(q, omega, dt);
     const Quat wanted = predicted(q, omega, dt);
     std::string likely;
-    if (distance(got, predicted(q, omega, dt, 1)) < 1e-12) likely = "the factor 1/2 is missing";
+    if (distance(got, predicted(q, omega, dt, 1)) < 1e-12)
+      likely = "the factor 1/2 is missing: use half of dt omega q";
     if (distance(got, q) == 0.0) likely = half_is_zero;
     if (distance(got, wanted.normalized()) < 1e-12)
-      likely = "it is projected already: that comes later";
+      likely = "it is projected already: leave that to project";
     if (distance(got, predicted(q, omega, dt, 0.5L, true)) < 1e-12) {
-      likely = "omega stands on the right of q: that is for an omega in body axes";
+      likely = "omega stands on the right of q, which suits omega in body axes: put it on the left";
     }
     Trial("2.7 predicted_attitude", i, 100)
         .given("world_from_body", q)
@@ -79,8 +83,10 @@ TEST_CASE("The projection is the unit quaternion in the same direction", "[2.7]"
     const Quat got = project(q_pred);
     const Quat square(q_pred.coeffs() / q_pred.squaredNorm());
     std::string likely;
-    if (distance(got, square) <= 1e-9 * square.norm()) likely = "it is divided by |q|^2, want |q|";
-    if (distance(got, q_pred) <= 1e-9 * size) likely = "nothing is projected";
+    if (distance(got, square) <= 1e-9 * square.norm())
+      likely = "it is divided by |q|^2: divide by |q|";
+    if (distance(got, q_pred) <= 1e-9 * size)
+      likely = "nothing is projected: divide q by its length";
     Trial("2.7 project", i, 100)
         .given("q_pred", q_pred)
         .expect_small("distance from the nearest unit quaternion", distance(got, narrow(exact)),
@@ -94,14 +100,15 @@ TEST_CASE("No unit quaternion is nearer than the projection", "[2.7]") {
     const Quat q_pred(random.uniform(0.2, 2.0) * random.attitude().coeffs());
     const Quat got = project(q_pred);
     const Trial trial = Trial("2.7 project", i, 10).given("q_pred", q_pred);
-    trial.expect_small("||q| - 1|", std::abs(got.norm() - 1.0), {8.0 * eps, "a unit quaternion"},
-                       distance(got, q_pred) == 0.0 ? "nothing is projected" : "");
+    trial.expect_small(
+        "||q| - 1|", std::abs(got.norm() - 1.0), {8.0 * eps, "a unit quaternion"},
+        distance(got, q_pred) == 0.0 ? "nothing is projected: divide q by its length" : "");
     double nearest = distance(got, q_pred);
     for (int k = 0; k < 500; ++k) {
       const Vec3 off = std::pow(10.0, random.uniform(-3.0, 0.5)) * random.direction();
       nearest = std::min(nearest, distance(common::exponential_map(off) * got, q_pred));
     }
-    trial.expect_small("distance beyond that of a nearer one", distance(got, q_pred) - nearest,
+    trial.expect_small("distance minus that of a nearer one", distance(got, q_pred) - nearest,
                        {16.0 * eps, "500 others, near and far"});
   }
 }
@@ -131,9 +138,10 @@ TEST_CASE("The projection holds for lengths from 1e-300 to 1e300", "[2.7]") {
     const bool lost = size != 1.0 && right_where_squares_are && !(off < 1e-9);
     const bool refused = size < 1.0 && small_is_zero && !(off < 1e-9);
     trial.expect_small("distance from Quat(0.6, 0, -0.8, 0)", off,
-                       {8.0 * eps, "scaled, nothing under- or overflows"},
-                       lost      ? "the square of a component under- or overflows: scale first"
-                       : refused ? "what is short is taken for zero: only zero has no direction"
+                       {8.0 * eps, "if scaled first, nothing underflows or overflows"},
+                       lost      ? "the square of a component underflows or overflows: scale first"
+                       : refused ? "a short quaternion is taken for zero: only zero has no "
+                                   "direction, so test for that alone"
                                  : "");
   }
 }
@@ -168,7 +176,8 @@ TEST_CASE("However slow the spin the prediction and the constrained step turn by
                       distance(got, q) > 0.0 ? ""
                       : distance(predicted_attitude(q, omega, 1.0 / omega.norm()), q) == 0.0
                           ? half_is_zero
-                          : "nothing happens: a guard against small numbers is too wide");
+                          : "nothing changes, because a guard against small numbers is too wide: "
+                            "test only for exactly zero");
     tests::expect_loop(tests::loop_trial("2.7 step_constrained", body, state, {}, dt, i, 40), body,
                        state, {}, dt, step_constrained(body, state, {}, dt));
   }

@@ -35,12 +35,12 @@ TEST_CASE("A thrown body falls by its new velocity", "[2.2]") {
   const Trial trial = tests::loop_trial(explicit_function, body, state, weight, 0.5);
   trial.of("the velocity")
       .expect(got.velocity, Vec3(1.0, 0.0, -3.0), {16.0 * eps, "a product and a sum"},
-              {{Vec3(1.0, 0.0, -8.0), "the force is not divided by the mass"}});
+              {{Vec3(1.0, 0.0, -8.0), "the force is not divided by the mass: divide it by m"}});
   trial.of("the position")
       .expect(
           got.position, Vec3(0.5, 0.0, -1.5), {16.0 * eps, "two products and sums"},
-          {{Vec3(0.5, 0.0, 1.0), "the old velocity moves the body: velocities come first"},
-           {Vec3(0.5, 0.0, -0.25), "the mean of both velocities moves the body: want the new"}});
+          {{Vec3(0.5, 0.0, 1.0), "the old velocity moves the body: update the velocity first"},
+           {Vec3(0.5, 0.0, -0.25), "the mean of both velocities moves the body: use the new one"}});
 }
 
 TEST_CASE("A force off the centre of mass starts a spin about its torque", "[2.2]") {
@@ -52,10 +52,11 @@ TEST_CASE("A force off the centre of mass starts a spin about its torque", "[2.2
   const RigidBodyState got = step_explicit(body, state, push, 0.5);
   tests::loop_trial(explicit_function, body, state, push, 0.5)
       .of("the angular velocity")
-      .expect(got.angular_velocity, Vec3(0.0, 0.0, 1.0), {16.0 * eps, "a few roundings"},
-              {{Vec3(0.0, 0.0, 6.0), "the torque is about the world's origin"},
-               {Vec3(0.0, 0.0, -1.0), "the lever arm and the force are swapped: f x r"},
-               {Vec3(0.0, 0.0, 3.0), "the torque is not divided by the inertia"}});
+      .expect(
+          got.angular_velocity, Vec3(0.0, 0.0, 1.0), {16.0 * eps, "a few roundings"},
+          {{Vec3(0.0, 0.0, 6.0), "the torque is about the world's origin: use p - x, not p"},
+           {Vec3(0.0, 0.0, -1.0), "the lever arm and the force are swapped: use r x f, not f x r"},
+           {Vec3(0.0, 0.0, 3.0), "the torque is not divided by the inertia: multiply it by I^-1"}});
 }
 
 TEST_CASE("A turn of the loop updates velocities first and positions by them", "[2.2]") {
@@ -101,10 +102,11 @@ TEST_CASE("The loop keeps the attitude a unit quaternion", "[2.2]") {
     const Spin before = spin;
     spin = step(spin, 0.01);
     tests::spin_trial(explicit_function, tests::tumble_moments, before, i, 200)
-        .expect_small(
-            "||q| - 1|", std::abs(spin.world_from_body.norm() - 1.0),
-            {4.0 * eps, "normalised to a few ulp"},
-            spin.angular_velocity_body.norm() < 100.0 ? "the quaternion is not normalised" : "");
+        .expect_small("||q| - 1|", std::abs(spin.world_from_body.norm() - 1.0),
+                      {4.0 * eps, "normalised to a few ulp"},
+                      spin.angular_velocity_body.norm() < 100.0
+                          ? "the quaternion is not normalised: divide it by its length"
+                          : "");
   }
 }
 
@@ -120,10 +122,14 @@ TEST_CASE("An explicit step makes the wobble grow by the root of one plus y squa
     const double got = tests::growth_factor(wobble, free_step(wobble.moments), 0.1, 100);
     tests::spin_trial(explicit_function, wobble.moments, wobble.start(1e-5), ++index, 2)
         .given("dt", 0.1)
-        .of("the wobble's growth a step")
-        .expect(got, std::sqrt(1.0 + y * y), {1e-9, "the wobble's own square, 1e-10, and rounding"},
-                {{1.0 / std::sqrt(1.0 + y * y), "this is the implicit step's factor"},
-                 {1.0, "nothing wobbles: the gyroscopic term is missing"}});
+        .of("the wobble's growth per step")
+        .expect(
+            got, std::sqrt(1.0 + y * y), {1e-9, "the wobble's own square, 1e-10, and rounding"},
+            {{1.0 / std::sqrt(1.0 + y * y),
+              "this is the factor of the implicit step: take the gyroscopic term at the old omega"},
+             {1.0,
+              "nothing wobbles: the gyroscopic term is missing, so add the torque -omega x I "
+              "omega"}});
   }
 }
 
@@ -139,9 +145,9 @@ TEST_CASE("An explicit wobble is ten times as large when the formula says", "[2.
         tests::spin_trial(explicit_function, wobble.moments, wobble.start(1e-5), ++index, 2)
             .given("steps to tenfold", steps);
     trial.expect_small("growth after 0.9 of these steps", after(0.9),
-                       {10.0, "10^0.9 by the closed form: the wobble still holds"});
+                       {10.0, "10^0.9 by the closed form: the wobble has not grown tenfold yet"});
     trial.expect_small("10 - growth after 1.1 of these steps", 10.0 - after(1.1),
-                       {0.0, "10^1.1 by the closed form: the wobble is lost"});
+                       {0.0, "10^1.1 by the closed form: the wobble has grown tenfold"});
   }
 }
 

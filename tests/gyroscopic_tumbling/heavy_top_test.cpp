@@ -18,7 +18,8 @@ namespace {
 constexpr const char* kick_drift_kick_function = "2.6 step_kick_drift_kick";
 constexpr HeavyTop course_top{1.25, 0.5, 9.81};
 
-const std::string weightless = "the weight does nothing: 1/2 is 0 in whole numbers";
+const std::string weightless =
+    "the weight does nothing, because 1/2 is 0 in whole numbers: write 0.5";
 
 struct TopVariation {
   Real torque = 1;               ///< times the torque
@@ -67,14 +68,17 @@ SpinL step(const HeavyTop& top, const Spin& spin, Real dt, const TopVariation& v
 std::vector<tests::Suspect<tests::SpinValue>> suspects_of(const HeavyTop& top, const Spin& spin,
                                                           double dt) {
   const auto with = [&](const TopVariation& v) { return narrow(step(top, spin, wide(dt), v)); };
-  return {{with({.torque = -1}), "the torque has the wrong sign: weight points down"},
-          {with({.world_torque = true}), "the torque is in the world, want body axes"},
-          {with({.body_down = true}), "down is turned the wrong way: want R^T (-z)"},
-          {with({.kick = 1}), "each kick lasts dt, want dt/2"},
-          {with({.kick = 0}), weightless},
-          {with({.old_torque = true}), "the second kick uses the torque of before the drift"},
-          {with({.without_inertia = true}), "the kick is not divided by the moments"},
-          {with({.one_kick = true}), "the kick after the drift is missing"}};
+  return {
+      {with({.torque = -1}), "the torque has the wrong sign: the weight points down"},
+      {with({.world_torque = true}), "the torque is in the world frame: return it in body axes"},
+      {with({.body_down = true}), "down is turned the wrong way: use R^T (-z)"},
+      {with({.kick = 1}), "each kick lasts dt: let it last dt/2"},
+      {with({.kick = 0}), weightless},
+      {with({.old_torque = true}),
+       "the second kick uses the torque from before the drift: compute it again"},
+      {with({.without_inertia = true}),
+       "the kick is not divided by the moments: divide it, component by component"},
+      {with({.one_kick = true}), "the kick after the drift is missing: kick again for dt/2"}};
 }
 
 Trial top_trial(const HeavyTop& top, const Spin& spin, int index = 1, int count = 1) {
@@ -159,11 +163,11 @@ TEST_CASE("The torque of the weight is the arm times the weight seen from the bo
         .expect(weight_torque_body(top, q), narrow(torque(top, wide(q))),
                 {32.0 * eps * top.weight_moment, "a turn of some 20 operations, and a product"},
                 {{narrow(torque(top, wide(q), {.torque = -1})),
-                  "the torque has the wrong sign: weight points down"},
+                  "the torque has the wrong sign: the weight points down"},
                  {narrow(torque(top, wide(q), {.world_torque = true})),
-                  "the torque is in the world, want body axes"},
+                  "the torque is in the world frame: return it in body axes"},
                  {narrow(torque(top, wide(q), {.body_down = true})),
-                  "down is turned the wrong way: want R^T (-z)"}});
+                  "down is turned the wrong way: use R^T (-z)"}});
   }
 }
 
@@ -207,12 +211,13 @@ TEST_CASE("The momentum about the vertical and the spin about the axis are kept"
   const Trial trial = top_trial(course_top, start).given("steps of 0.01 s", 1000.0);
   trial.of("L along the vertical")
       .expect(vertical(spin), vertical(start),
-              {1000.0 * 32.0 * eps * 12.0, "the weight has no torque about it: 32 ulp a step"});
+              {1000.0 * 32.0 * eps * 12.0,
+               "the weight has no torque about the vertical: 32 ulp per step"});
   trial.of("the axial speed")
       .expect(spin.angular_velocity_body.z(), 20.0,
-              {1000.0 * 16.0 * eps * 20.0, "nor about the top's axis"});
+              {1000.0 * 16.0 * eps * 20.0, "the weight has no torque about the top's axis"});
   const double tilt = common::angle_between(start.world_from_body, spin.world_from_body);
-  trial.expect_small("0.1 - angle turned", 0.1 - tilt, {0.0, "something must happen, too"});
+  trial.expect_small("0.1 - angle turned", 0.1 - tilt, {0.0, "the top must turn, too"});
 }
 
 TEST_CASE("Without weight the step of a top is the free motion", "[2.6]") {
@@ -234,8 +239,9 @@ TEST_CASE("A sleeping top wakes where the limit of the step says", "[2.6]") {
     const Trial trial = top_trial(course_top, leaning(1e-6, limit), ++index, 2)
                             .given("dt", h)
                             .given("axial speed at the limit", limit);
-    trial.expect_small("lean at 1.1 of the limit", greatest_lean(1.1 * limit, h, 20.0),
-                       {1e-4, "it circles the vertical at some multiple of its start, 1e-6"});
+    trial.expect_small(
+        "lean at 1.1 of the limit", greatest_lean(1.1 * limit, h, 20.0),
+        {1e-4, "it circles the vertical at a few times its lean at the start, 1e-6"});
     trial.expect_small("0.1 - lean at 0.9 of the limit", 0.1 - greatest_lean(0.9 * limit, h, 20.0),
                        {0.0, "it falls at the rate sqrt(1 - 0.81) sqrt(m g l / I1) = 1.2/s"});
   }
@@ -248,5 +254,7 @@ TEST_CASE("The step of the top converges with order two on the heavy top", "[2.6
       .given("coarse error", coarse)
       .given("fine error", fine)
       .expect(std::log2(coarse / fine), 2.0,
-              {0.1, "the slope from 256 to 512 steps a second, bent by their square, 6e-3"});
+              {0.1,
+               "the slope from 256 to 512 steps a second; the square of the turn per step, 6e-3, "
+               "bends it"});
 }

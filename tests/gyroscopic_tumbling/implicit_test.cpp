@@ -16,7 +16,8 @@ using tests::wide;
 namespace {
 
 constexpr const char* implicit_function = "2.3 step_implicit";
-constexpr const char* explicit_step = "Newton's Jacobian is I0 alone: an explicit step";
+constexpr const char* explicit_step =
+    "Newton's Jacobian is I0 alone, which makes an explicit step: add both terms with dt";
 
 struct ImplicitVariation {
   Real gyroscopic = 1;  ///< times the gyroscopic term, in residual and Jacobian
@@ -64,13 +65,17 @@ std::vector<tests::Suspect<tests::SpinValue>> implicit_suspects(const Vec3& mome
       {with({.gyroscopic = -1}), tests::flipped},
       {with({.gyroscopic = 0}), tests::forgotten},
       {with({.turning = 0, .momentum = 0}), explicit_step},
-      {with({.momentum = 0}), "the term [I0 omega]x is missing in Newton's Jacobian"},
-      {with({.turning = 0}), "the term [omega]x I0 is missing in Newton's Jacobian"},
-      {with({.momentum = -1}), "the term [I0 omega]x has the wrong sign in Newton's Jacobian"},
-      {with({.newton_steps = 2}), "this is more than one step of Newton's method"},
-      {with({.newton_steps = 30}), "this is more than one step of Newton's method"},
-      {with({.world_side = true}), "the turn stands on the left of q, but omega is in body axes"},
-      {with({.old_velocity = true}), "the old angular velocity turns q, want the new one"}};
+      {with({.momentum = 0}),
+       "the term [I0 omega]x is missing in Newton's Jacobian: subtract dt [I0 omega]x"},
+      {with({.turning = 0}),
+       "the term [omega]x I0 is missing in Newton's Jacobian: add dt [omega]x I0"},
+      {with({.momentum = -1}),
+       "the term [I0 omega]x has the wrong sign in Newton's Jacobian: subtract it"},
+      {with({.newton_steps = 2}), "this is more than one step of Newton's method: make only one"},
+      {with({.newton_steps = 30}), "this is more than one step of Newton's method: make only one"},
+      {with({.world_side = true}),
+       "the turn stands on the left of q, but omega is in body axes: put it on the right"},
+      {with({.old_velocity = true}), "the old angular velocity turns q: use the new one"}};
 }
 
 tests::SpinStep implicit_step(const Vec3& moments) {
@@ -97,7 +102,7 @@ TEST_CASE("At an unchanged velocity the residual is the gyroscopic impulse", "[2
               {8.0 * eps, "a few roundings of numbers near one"},
               {{Vec3(-0.5, 1.0, -0.5), tests::flipped},
                {Vec3(Vec3::Zero()), tests::forgotten},
-               {Vec3(1.0, -2.0, 1.0), "dt is missing"}});
+               {Vec3(1.0, -2.0, 1.0), "dt is missing: multiply the gyroscopic term by dt"}});
 }
 
 TEST_CASE("The residual takes the gyroscopic term at the new velocity", "[2.3]") {
@@ -118,8 +123,10 @@ TEST_CASE("The residual takes the gyroscopic term at the new velocity", "[2.3]")
                 {{narrow(residual(I, wide(old), wide(next), wide(dt), -1)), tests::flipped},
                  {narrow(change), tests::forgotten},
                  {narrow(change + Real(dt) * at_old),
-                  "the gyroscopic term is taken at the old velocity: that is the explicit step"},
-                 {narrow(residual(I, wide(old), wide(next), 1)), "dt is missing"}});
+                  "the gyroscopic term is taken at the old velocity, as in the explicit step: use "
+                  "the new one"},
+                 {narrow(residual(I, wide(old), wide(next), 1)),
+                  "dt is missing: multiply the gyroscopic term by dt"}});
   }
 }
 
@@ -134,13 +141,15 @@ TEST_CASE("The Jacobian is the derivative of the residual", "[2.3]") {
     };
     equation_trial("2.3 implicit_jacobian", moments, omega, dt, i, 100)
         .expect(implicit_jacobian(moments, omega, dt), with({}),
-                {16.0 * eps * 20.0, "a few operations an entry, on terms up to 20"},
+                {16.0 * eps * 20.0, "a few operations per entry, on terms up to 20"},
                 {{with({.gyroscopic = -1}), tests::flipped},
                  {with({.turning = 0, .momentum = 0}), explicit_step},
-                 {with({.momentum = 0}), "the term [I0 omega]x is missing in Newton's Jacobian"},
-                 {with({.turning = 0}), "the term [omega]x I0 is missing in Newton's Jacobian"},
+                 {with({.momentum = 0}),
+                  "the term [I0 omega]x is missing in Newton's Jacobian: subtract dt [I0 omega]x"},
+                 {with({.turning = 0}),
+                  "the term [omega]x I0 is missing in Newton's Jacobian: add dt [omega]x I0"},
                  {with({.momentum = -1}),
-                  "the term [I0 omega]x has the wrong sign in Newton's Jacobian"}});
+                  "the term [I0 omega]x has the wrong sign in Newton's Jacobian: subtract it"}});
   }
 }
 
@@ -185,7 +194,7 @@ TEST_CASE("An implicit step makes the wobble shrink by the root of one plus y sq
     const double got = tests::growth_factor(wobble, implicit_step(wobble.moments), 0.1, 100);
     tests::spin_trial(implicit_function, wobble.moments, wobble.start(1e-5), ++index, 2)
         .given("dt", 0.1)
-        .of("the wobble's growth a step")
+        .of("the wobble's growth per step")
         .expect(got, 1.0 / std::sqrt(1.0 + y * y),
                 {1e-9, "the wobble's own square, 1e-10, and rounding"},
                 {{std::sqrt(1.0 + y * y), explicit_step}, {1.0, tests::forgotten}});
@@ -225,9 +234,9 @@ TEST_CASE("In ten minutes the implicit step eats a fifth of the angular momentum
   const Trial trial = tests::spin_trial(implicit_function, moments, start).given("steps", 36000.0);
   trial.of("the share of |L| that is left")
       .expect(left, 0.788, {1e-3, "measured with other code, to three digits"},
-              {{1.0, "nothing is lost: this is not the implicit step"}});
+              {{1.0, "nothing is lost: this is not the implicit step, which damps the wobble"}});
   trial.of("2 E I3 / L^2")
-      .expect(energy * 3.0 / m.squaredNorm(), 1.0, {1e-6, "the wobble is gone"});
+      .expect(energy * 3.0 / m.squaredNorm(), 1.0, {1e-6, "the wobble has died out"});
 }
 
 TEST_CASE("The implicit step converges with order one on a tumble", "[2.3]") {

@@ -84,14 +84,15 @@ inline void expect_loop(const Trial& trial, const lab::gyroscopic_tumbling::Rigi
   const std::vector<Story> stories{
       {{.gyroscopic = -1}, flipped},
       {{.gyroscopic = 0}, forgotten},
-      {{.body_inertia = true}, "the body's inertia is used as the world's"},
-      {{.backwards = true}, "this inertia is R^T I0 R, want R I0 R^T"},
-      {{.about_origin = true}, "the torque is about the world's origin"},
-      {{.old_velocities = true}, "the old velocities move x and q: velocities come first"},
-      {{.body_side = true}, "omega stands on the right of q: that is for an omega in body axes"},
-      {{.half = 1}, "the factor 1/2 is missing: q turns twice as far"},
-      {{.half = 0}, "q does not change: 1/2 is 0 in whole numbers"},
-      {{.projected = false}, "the quaternion is not normalised"}};
+      {{.body_inertia = true}, "the body's inertia is used as the world's: turn it, R I0 R^T"},
+      {{.backwards = true}, "this inertia is R^T I0 R: use R I0 R^T"},
+      {{.about_origin = true}, "the torque is about the world's origin: use p - x, not p"},
+      {{.old_velocities = true}, "the old velocities move x and q: update the velocities first"},
+      {{.body_side = true},
+       "omega stands on the right of q, which suits omega in body axes: put it on the left"},
+      {{.half = 1}, "the factor 1/2 is missing, so q turns twice as far: multiply by 0.5"},
+      {{.half = 0}, "q does not change, because 1/2 is 0 in whole numbers: write 0.5"},
+      {{.projected = false}, "the quaternion is not normalised: divide it by its length"}};
   std::vector<Suspect<common::Vec3>> velocities;
   std::vector<Suspect<common::Vec3>> positions;
   std::vector<Suspect<common::Vec3>> spins;
@@ -116,7 +117,8 @@ inline void expect_loop(const Trial& trial, const lab::gyroscopic_tumbling::Rigi
       .expect(got.position, narrow(wanted.position), {16.0 * eps * size, "a few sums"}, positions);
   trial.of("the attitude")
       .expect(got.world_from_body, narrow(wanted.q),
-              {2048.0 * eps * size, "as the angular velocity that turns it"}, attitudes);
+              {2048.0 * eps * size, "the same as for the angular velocity that turns it"},
+              attitudes);
 }
 
 /// At rest but for a spin of at most a radian a second, mostly far less.

@@ -25,8 +25,9 @@ std::vector<tests::Suspect<Vec3>> acceleration_suspects(const Mat3& inertia, con
   const VecL term = w.cross(VecL(I * w));
   return {{narrow(inverse * (T + term)), tests::flipped},
           {narrow(inverse * T), tests::forgotten},
-          {narrow(T - term), "the inverse of the inertia is missing"},
-          {narrow(inverse * T - term), "the gyroscopic term, too, goes through the inverse"}};
+          {narrow(T - term), "the inverse of the inertia is missing: multiply by I^-1"},
+          {narrow(inverse * T - term),
+           "the gyroscopic term is not multiplied by the inverse: use I^-1 (T - omega x I omega)"}};
 }
 
 void expect_acceleration(const Trial& trial, const Mat3& inertia, const Vec3& omega,
@@ -42,7 +43,7 @@ void expect_acceleration(const Trial& trial, const Mat3& inertia, const Vec3& om
       .given("torque", torque)
       .expect(angular_acceleration(inertia, omega, torque), wanted,
               {32.0 * eps * condition * inertia.inverse().norm() * terms,
-               "some 30 operations, and as many digits less as the inertia's condition takes"},
+               "some 30 operations; the condition of the inertia multiplies their roundings"},
               acceleration_suspects(inertia, omega, torque));
 }
 
@@ -105,7 +106,7 @@ TEST_CASE("Seen from turned axes the acceleration is the same turned vector", "[
         .given("torque", torque)
         .expect(turned_inputs, turned_result,
                 {128.0 * eps * inertia.norm() * inertia.inverse().norm() * scale,
-                 "both sides round some 60 times, through the inertia's condition"});
+                 "both sides round some 60 times, multiplied by the condition of the inertia"});
   }
 }
 
@@ -116,14 +117,15 @@ TEST_CASE("One two three on moments one two three has an energy of eighteen", "[
     const Spin spin{random.attitude(), Vec3(1.0, 2.0, 3.0)};
     const Vec3 world = spin.world_from_body * spin.angular_velocity_body;
     tests::spin_trial("2.1 rotational_energy", moments, spin, i, 10)
-        .expect(rotational_energy(moments, spin), 18.0,
-                {128.0 * eps * 18.0, "some 60 operations where it is made in the world"},
-                {{36.0, "the factor 1/2 is missing"},
-                 {0.0, "1/2 is 0 in whole numbers"},
-                 {7.0, "omega stands in it once only: want omega . I omega"},
-                 {0.5 * world.dot(moments.cwiseProduct(world)),
-                  "omega was turned into the world, the inertia was not"},
-                 {0.5 * 98.0, "this is |L|^2 / 2: one factor is omega, not I omega"}});
+        .expect(
+            rotational_energy(moments, spin), 18.0,
+            {128.0 * eps * 18.0, "some 60 operations if it is computed in the world frame"},
+            {{36.0, "the factor 1/2 is missing: multiply by 0.5"},
+             {0.0, "1/2 is 0 in whole numbers"},
+             {7.0, "omega occurs only once: use omega . I omega"},
+             {0.5 * world.dot(moments.cwiseProduct(world)),
+              "omega is in the world frame, but the inertia in body axes: use both in body axes"},
+             {0.5 * 98.0, "this is |L|^2 / 2: one factor must be omega, not I omega"}});
   }
 }
 
@@ -137,13 +139,15 @@ TEST_CASE("The energy is half of omega times angular momentum whatever the attit
     const double wanted =
         static_cast<double>(wide(omega).dot(tests::times(wide(moments), wide(omega))) / 2);
     tests::spin_trial("2.1 rotational_energy", moments, spin, i, 100)
-        .expect(rotational_energy(moments, spin), wanted,
-                {512.0 * eps * wanted,
-                 "some 60 operations where it is made in the world, with moments a factor 4 apart"},
-                {{2.0 * wanted, "the factor 1/2 is missing"},
-                 {0.0, "1/2 is 0 in whole numbers"},
-                 {0.5 * world.dot(moments.cwiseProduct(world)),
-                  "omega was turned into the world, the inertia was not"}});
+        .expect(
+            rotational_energy(moments, spin), wanted,
+            {512.0 * eps * wanted,
+             "some 60 operations if it is computed in the world frame, with moments a factor 4 "
+             "apart"},
+            {{2.0 * wanted, "the factor 1/2 is missing: multiply by 0.5"},
+             {0.0, "1/2 is 0 in whole numbers"},
+             {0.5 * world.dot(moments.cwiseProduct(world)),
+              "omega is in the world frame, but the inertia in body axes: use both in body axes"}});
   }
 }
 
@@ -152,12 +156,15 @@ TEST_CASE("A quarter turn about z takes the momentum one two three to minus two 
   const Vec3 moments(1.0, 2.0, 3.0);
   const Spin spin = quarter_turned(Vec3(1.0, 1.0, 1.0));
   tests::spin_trial("2.1 angular_momentum", moments, spin)
-      .expect(angular_momentum(moments, spin), Vec3(-2.0, 1.0, 3.0),
-              {32.0 * eps, "some 20 operations on numbers up to 3"},
-              {{Vec3(1.0, 2.0, 3.0), "I0 omega is still in body axes: turn it into the world"},
-               {Vec3(2.0, -1.0, 3.0), "it is turned backwards: q leads from body to world"},
-               {Vec3(-1.0, 2.0, 3.0), "the body's moments are applied to omega in the world"},
-               {Vec3(-1.0, 1.0, 1.0), "this is omega: the moments are missing"}});
+      .expect(
+          angular_momentum(moments, spin), Vec3(-2.0, 1.0, 3.0),
+          {32.0 * eps, "some 20 operations on numbers up to 3"},
+          {{Vec3(1.0, 2.0, 3.0), "I0 omega is still in body axes: turn it into the world"},
+           {Vec3(2.0, -1.0, 3.0),
+            "it is turned backwards: turn it by q, which leads from body to world"},
+           {Vec3(-1.0, 2.0, 3.0),
+            "the body's moments are applied to omega in the world frame: apply them in body axes"},
+           {Vec3(-1.0, 1.0, 1.0), "this is omega: multiply it by the moments first"}});
 }
 
 TEST_CASE("The angular momentum is that of the body turned into the world", "[2.1]") {
@@ -174,10 +181,12 @@ TEST_CASE("The angular momentum is that of the body turned into the world", "[2.
                 {32.0 * eps * static_cast<double>(m.norm()),
                  "a turn of some 20 operations by a quaternion that is unit to rounding"},
                 {{narrow(m), "I0 omega is still in body axes: turn it into the world"},
-                 {narrow(q.conjugate() * m), "it is turned backwards: q leads from body to world"},
+                 {narrow(q.conjugate() * m),
+                  "it is turned backwards: turn it by q, which leads from body to world"},
                  {narrow(tests::times(wide(moments), world)),
-                  "the body's moments are applied to omega in the world"},
-                 {narrow(world), "this is omega: the moments are missing"}});
+                  "the body's moments are applied to omega in the world frame: apply them in body "
+                  "axes"},
+                 {narrow(world), "this is omega: multiply it by the moments first"}});
   }
 }
 
@@ -195,9 +204,9 @@ TEST_CASE("Moments that a body can have are returned as they are", "[2.1]") {
       got = checked_moments(moments);
     } catch (const std::invalid_argument&) {
       const bool flat = moments.maxCoeff() >= 0.499999 * moments.sum();
-      trial.expect_small("1 where the moments are refused", 1.0, {0.0, "a body can have them"},
-                         flat ? "a flat body is refused: its greatest moment equals the sum of the "
-                                "others, to rounding"
+      trial.expect_small("1 if the moments are refused", 1.0, {0.0, "a body can have them"},
+                         flat ? "a flat body is refused: its greatest moment may equal the sum of "
+                                "the others, up to rounding"
                               : "");
     }
     trial.expect(got, moments, {0.0, "nothing is computed"});
@@ -223,9 +232,11 @@ TEST_CASE("Moments that no body can have are an error", "[2.1]") {
       {{7.0, 1.0, 1.0}, triangle}};
   int index = 0;
   for (const Bad& bad : all) {
-    const char* const likely = bad.why == triangle   ? "the triangle inequality is not checked"
-                               : bad.why == positive ? "the sign is not checked"
-                                                     : "NaN or infinity is not checked";
+    const char* const likely =
+        bad.why == triangle ? "the triangle inequality is not checked: throw if a moment is above "
+                              "the sum of the others"
+        : bad.why == positive ? "the sign is not checked: throw if a moment is not above zero"
+                              : "NaN and infinity are not checked: throw if a moment is not finite";
     Trial("2.1 checked_moments", ++index, static_cast<int>(all.size()))
         .given("moments", bad.moments)
         .expect_throw([&] { return checked_moments(bad.moments); }, bad.why, likely);

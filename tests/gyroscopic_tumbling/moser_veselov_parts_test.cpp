@@ -33,16 +33,17 @@ double residual(const Vec3& moments, const Vec3& momentum, double dt, const Quat
 std::string likely_increment(const Vec3& moments, const Vec3& momentum, double dt, const Quat& p) {
   constexpr double fits = 1e-12;
   if (residual(moments, momentum, dt, p, -1) < fits) {
-    return "the sign of (I_k - I_j) p_j p_k is flipped: this p belongs to the end of the step";
+    return "the sign of (I_k - I_j) p_j p_k is flipped, as in the equation at the end of the step: "
+           "change it";
   }
   if (residual(moments, momentum, dt, p, 0) < fits)
-    return "the term (I_k - I_j) p_j p_k is missing";
+    return "the term (I_k - I_j) p_j p_k is missing: add it";
   if (residual(moments, momentum, dt, p, 1, 1) < fits)
-    return "the 2 of eq. (24) is missing, or the half of dt m when it is on the other side";
+    return "the 2 of eq. (24) is missing, or the half of dt m if you divide by 2: put it in";
   const Quat unnormalised(1.0, p.x(), p.y(), p.z());
   if (std::abs(p.w() - 1.0) < fits &&
       residual(moments, momentum, dt, unnormalised.normalized()) < fits) {
-    return "(1, b) is not normalised";
+    return "(1, b) is not normalised: divide it by its length";
   }
   return "";
 }
@@ -78,12 +79,13 @@ TEST_CASE("Corrected moments have scaled and shifted inverses", "[2.8]") {
             narrow(corrected(I, wide(scale), wide(shift))),
             {32.0 * eps * moments.norm(), "some 6 operations each, 1/I + shift above half of 1/I"},
             {{narrow(VecL((1 + Real(scale)) * I.array() + Real(shift))),
-              "the moments are scaled and shifted, want their inverses"},
+              "the moments are scaled and shifted: scale and shift their inverses"},
              {narrow(VecL((1 + Real(scale)) * I.cwiseInverse().array() + Real(shift))),
-              "these are the inverses: want the moments"},
-             {narrow(corrected(I, wide(shift), wide(scale))), "scale and shift are swapped"},
+              "these are the inverses: return the moments"},
+             {narrow(corrected(I, wide(shift), wide(scale))),
+              "scale and shift are swapped: exchange them"},
              {narrow(corrected(I, Real(scale) - 1, wide(shift))),
-              "the 1 in 1 + scale is missing"}});
+              "the 1 in 1 + scale is missing: multiply by 1 + scale"}});
   }
 }
 
@@ -99,10 +101,12 @@ TEST_CASE("A spin about an axis has an increment of the arc sine of theta", "[2.
                               .given("dt", 1.0);
       const Quat p =
           trial.returned([&] { return moser_veselov_increment(moments, momentum, 1.0); });
-      trial.expect(common::angle_between(Quat::Identity(), p), std::asin(x),
-                   {64.0 * eps / std::sqrt(1.0 - x * x), "the arc sine is steep towards theta = 1"},
-                   {{2.0 * std::atan(0.5 * x), "p0 is taken for 1: p = dt omega / 2"},
-                    {std::asin(0.5 * x), "the factor 2 is on the wrong side"}});
+      trial.expect(
+          common::angle_between(Quat::Identity(), p), std::asin(x),
+          {64.0 * eps / std::sqrt(1.0 - x * x), "the arc sine is steep towards theta = 1"},
+          {{2.0 * std::atan(0.5 * x),
+            "p0 is taken for 1, so p = dt omega / 2: use a p0 that makes p a unit quaternion"},
+           {std::asin(0.5 * x), "the factor 2 is on the wrong side: see eq. (24)"}});
     }
   }
 }
@@ -118,13 +122,13 @@ TEST_CASE("The increment solves its equation", "[2.8]") {
                             .given("angular_momentum_body", momentum)
                             .given("dt", dt);
     const Quat p = trial.returned([&] { return moser_veselov_increment(moments, momentum, dt); });
-    trial.expect_small("what is left of the equation, relatively",
+    trial.expect_small("residual of the equation, relative to dt m",
                        residual(moments, momentum, dt, p),
                        {256.0 * eps, "p to a few ulp, moments a factor 12 apart"},
                        likely_increment(moments, momentum, dt, p));
     trial.expect_small("||p| - 1|", std::abs(p.norm() - 1.0), {4.0 * eps, "normalised"},
-                       "(1, b) is not normalised");
-    trial.expect_small("-p0", -p.w(), {0.0, "the solution that goes to 1 with dt"});
+                       "(1, b) is not normalised: divide it by its length");
+    trial.expect_small("-p0", -p.w(), {0.0, "the solution whose p0 goes to 1 as dt goes to 0"});
   }
 }
 
@@ -136,7 +140,7 @@ TEST_CASE("An increment exists at 0.9 of the limit and none at 1.1", "[2.8]") {
     const Quat p =
         trial.returned([&] { return moser_veselov_increment(moments, 0.9 * limit, 1.0); });
     trial.of("0.9 of the limit")
-        .expect_small("what is left of the equation, relatively",
+        .expect_small("residual of the equation, relative to dt m",
                       residual(moments, 0.9 * limit, 1.0, p), {256.0 * eps, "a solution exists"},
                       likely_increment(moments, 0.9 * limit, 1.0, p));
     trial.of("1.1 of the limit")
@@ -149,7 +153,7 @@ TEST_CASE("An increment exists at 0.9 of the limit and none at 1.1", "[2.8]") {
           .expect_throw<std::domain_error>(
               [&] { return moser_veselov_increment(moments, (1.0 + share) * limit, 1.0); },
               "sin of the angle would be above 1, by far more than rounding",
-              "what nearly solves the equation is taken for a solution");
+              "an approximate solution is returned: throw if there is no exact one");
     }
   }
 }
@@ -166,14 +170,14 @@ TEST_CASE("The correction of order four is made of energy and angular momentum",
     tests::spin_trial("2.8 fourth_order_correction", moments, spin, i, 100)
         .given("dt", dt)
         .of("(scale, shift)")
-        .expect(
-            as_vector(fourth_order_correction(moments, spin, dt)), as_vector(wanted),
-            {256.0 * eps * without_dt.norm() * dt * dt + 1e-15,
-             "some 20 operations; the two terms cancel to a tenth at most"},
-            {{swapped, "scale and shift are swapped"},
-             {without_dt, "the factor dt^2 is missing"},
-             {Vec3(as_vector(wanted) / dt), "the factor is dt, want dt^2"},
-             {as_vector(with_powers(moments, spin, dt, false)), "H and C lack their factor 1/2"},
-             {Vec3(-as_vector(wanted)), "the sign of the correction is flipped"}});
+        .expect(as_vector(fourth_order_correction(moments, spin, dt)), as_vector(wanted),
+                {256.0 * eps * without_dt.norm() * dt * dt + 1e-15,
+                 "some 20 operations; the two terms cancel to a tenth at most"},
+                {{swapped, "scale and shift are swapped: exchange them"},
+                 {without_dt, "the factor dt^2 is missing: multiply by dt^2"},
+                 {Vec3(as_vector(wanted) / dt), "the factor is dt: use dt^2"},
+                 {as_vector(with_powers(moments, spin, dt, false)),
+                  "H and C lack their factor 1/2: multiply both by 0.5"},
+                 {Vec3(-as_vector(wanted)), "the sign of the correction is flipped: change it"}});
   }
 }

@@ -76,14 +76,15 @@ TEST_CASE("A step turns the attitude by the increment and the momentum back", "[
                 narrow(stepped(moments, spin, p)),
                 {1024.0 * eps, "some 200 operations, moments a factor 12 apart"},
                 {{narrow(stepped(moments, spin, p, true)),
-                  "m turns with the body: L rests, so m turns the other way"},
-                 {narrow(stepped(moments, spin, plain)), "the correction is not used"},
+                  "m turns with the body: L is constant in the world, so turn m the other way"},
+                 {narrow(stepped(moments, spin, plain)),
+                  "the correction is not used: find p with the corrected moments"},
                  {narrow(stepped(tilde, spin, mixed)),
-                  "m is made with the corrected moments, want the body's own"},
+                  "m is computed with the corrected moments: use the body's own"},
                  {narrow(stepped(moments, spin, p, false, tilde)),
-                  "the new omega is made with the corrected moments, want the body's own"},
+                  "the new omega is computed with the corrected moments: use the body's own"},
                  {narrow(stepped(moments, spin, p, false, Vec3::Zero(), true)),
-                  "p stands on the left of q, but it turns about body axes"}});
+                  "p stands on the left of q, but it turns about body axes: put it on the right"}});
   }
 }
 
@@ -116,16 +117,17 @@ TEST_CASE("Energy and angular momentum are kept to rounding at any step that exi
     const Trial trial =
         tests::spin_trial(moser_veselov_function, moments, start, i, 10).given("dt", dt);
     const double rounding = 1000.0 * 64.0 * eps * moments.maxCoeff() / moments.minCoeff();
-    trial.of("the energy after 1000 steps, relatively")
-        .expect(energy(spin) / energy(start), 1.0, {rounding, "64 ulp a step, all the same way"});
+    trial.of("the energy after 1000 steps, relative to the first")
+        .expect(energy(spin) / energy(start), 1.0,
+                {rounding, "64 ulp per step, all in the same direction"});
     trial.of("L after 1000 steps")
         .expect(momentum(spin), momentum(start),
-                {rounding * momentum(start).norm(), "64 ulp a step, all the same way"});
+                {rounding * momentum(start).norm(), "64 ulp per step, all in the same direction"});
     trial.expect_small(
         "0.01 - angle of a step",
         0.01 - common::angle_between(start.world_from_body,
                                      step_moser_veselov(moments, {}, start, dt).world_from_body),
-        {0.0, "doing nothing keeps them, too"});
+        {0.0, "a step that does nothing keeps them, too"});
   }
 }
 

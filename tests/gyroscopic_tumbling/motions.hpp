@@ -117,10 +117,11 @@ inline void expect_no_tumble_of_a_sphere(const std::string& function, const Spin
   const Trial trial = spin_trial(function, common::Vec3::Constant(2.0), start);
   trial.of("the angular velocity after 100 steps")
       .expect(common::Vec3(spin.angular_velocity_body), start.angular_velocity_body,
-              {100.0 * 64.0 * eps * 4.0, "nothing but rounding may change it"});
+              {100.0 * 64.0 * eps * 4.0, "only rounding may change it"});
   const double turned = common::angle_between(start.world_from_body, spin.world_from_body);
   trial.of("the turn after 100 steps of 0.005 s")
-      .expect(turned, 0.5 * std::sqrt(14.0), {1e-2, "the crudest step lags by theta^3/12 a step"});
+      .expect(turned, 0.5 * std::sqrt(14.0),
+              {1e-2, "the least exact method lags by theta^3/12 per step"});
 }
 
 }  // namespace tests

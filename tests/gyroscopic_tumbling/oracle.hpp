@@ -127,8 +127,11 @@ inline Paced random_pace(Random& random, double largest_turn) {
   return {{random.attitude(), speed * random.direction()}, sign * turn / speed};
 }
 
-inline const char* const guarded = "nothing happens: a guard against small numbers is too wide";
-inline const char* const half_is_zero = "nothing happens: 1/2 is 0 in whole numbers";
+inline const char* const guarded =
+    "nothing changes, because a guard against small numbers is too wide: test only for exactly "
+    "zero";
+inline const char* const half_is_zero =
+    "nothing changes, because 1/2 is 0 in whole numbers: write 0.5";
 
 /// Requires that a step at some pace is its formula; where nothing was done it says so.
 /// at_rest  why: a guard, unless nothing happens at ordinary paces either
@@ -137,12 +140,14 @@ inline void expect_paced(const Trial& trial, const Paced& paced, const common::S
   Trial(trial)
       .given("dt", paced.dt)
       .expect(value_of(got), narrow(wanted),
-              {4096.0 * eps, "as at ordinary paces, in units of the angular velocity"},
+              {4096.0 * eps, "the same as at ordinary speeds, in units of the angular velocity"},
               {{value_of(paced.spin), at_rest}});
 }
 
 /// Stories that several steps tell.
-inline const char* const flipped = "the sign of the gyroscopic term is flipped";
-inline const char* const forgotten = "the gyroscopic term is missing";
+inline const char* const flipped =
+    "the sign of the gyroscopic term is flipped: the torque is -omega x I omega";
+inline const char* const forgotten =
+    "the gyroscopic term is missing: add the torque -omega x I omega";
 
 }  // namespace tests

@@ -70,18 +70,22 @@ SpinL rk4(const Vec3& moments, const Spin& spin, Real dt, const Rk4Variation& v 
 std::vector<tests::Suspect<tests::SpinValue>> rk4_suspects(const Vec3& moments, const Spin& spin,
                                                            double dt) {
   const auto with = [&](const Rk4Variation& v) { return narrow(rk4(moments, spin, wide(dt), v)); };
-  return {{with({.gyroscopic = -1}), tests::flipped},
-          {with({.gyroscopic = 0}), tests::forgotten},
-          {with({.half = 1}), "the factor 1/2 is missing in dq/dt"},
-          {with({.half = 0}), "q does not change: 1/2 is 0 in whole numbers"},
-          {narrow(wide(spin)), "nothing happens: 1/6 and 1/3 are 0 in whole numbers"},
-          {with({.world_side = true}), "omega stands on the left of q, but it is in body axes"},
-          {with({.equal_weights = true}), "the four rates have equal weights, want 1, 2, 2, 1"},
-          {with({.short_last = true}), "the fourth rate is taken at the middle, want the end"},
-          {with({.unit_stages = true}), "q is normalised between the rates, which spoils them"},
-          {with({.unit_end = false}), "the quaternion is not normalised"},
-          {with({.one_exponential = true}),
-           "q turns once by the mean of omega: the trap, of second order in the attitude"}};
+  return {
+      {with({.gyroscopic = -1}), tests::flipped},
+      {with({.gyroscopic = 0}), tests::forgotten},
+      {with({.half = 1}), "the factor 1/2 is missing in dq/dt: multiply by 0.5"},
+      {with({.half = 0}), "q does not change, because 1/2 is 0 in whole numbers: write 0.5"},
+      {narrow(wide(spin)),
+       "nothing changes, because 1/6 and 1/3 are 0 in whole numbers: write 1.0 / 6.0"},
+      {with({.world_side = true}),
+       "omega stands on the left of q, but it is in body axes: put it on the right"},
+      {with({.equal_weights = true}), "the four rates have equal weights: use 1, 2, 2, 1"},
+      {with({.short_last = true}), "the fourth rate is taken at the middle: take it at the end"},
+      {with({.unit_stages = true}),
+       "q is normalised between the rates, which spoils them: normalise only at the end"},
+      {with({.unit_end = false}), "the quaternion is not normalised: divide it by its length"},
+      {with({.one_exponential = true}),
+       "q turns once by the mean of omega, which has only order two: average the rates dq/dt"}};
 }
 
 tests::SpinStep rk4_step(const Vec3& moments) {
@@ -103,11 +107,11 @@ void expect_rate(const Trial& trial, const Vec3& moments, const Spin& spin) {
   };
   const double speed = spin.angular_velocity_body.norm();
   trial.of("the attitude's rate")
-      .expect(Eigen::Vector4d(got.attitude.coeffs()).norm(),
-              Eigen::Vector4d(attitude({}).coeffs()).norm(),
-              {32.0 * eps * speed, "some 10 operations"},
-              {{attitude({.half = 1}).norm(), "the factor 1/2 is missing in dq/dt"},
-               {0.0, "q does not change: 1/2 is 0 in whole numbers"}});
+      .expect(
+          Eigen::Vector4d(got.attitude.coeffs()).norm(),
+          Eigen::Vector4d(attitude({}).coeffs()).norm(), {32.0 * eps * speed, "some 10 operations"},
+          {{attitude({.half = 1}).norm(), "the factor 1/2 is missing in dq/dt: multiply by 0.5"},
+           {0.0, "q does not change, because 1/2 is 0 in whole numbers: write 0.5"}});
   // q and -q are one attitude, but a rate has a sign: shifted by q it cannot be mistaken.
   const auto shifted = [&](const Quat& dq) {
     return Quat(4.0 * (1.0 + speed) * spin.world_from_body.coeffs() + dq.coeffs());
@@ -116,11 +120,11 @@ void expect_rate(const Trial& trial, const Vec3& moments, const Spin& spin) {
       .expect(shifted(got.attitude), shifted(attitude({})),
               {64.0 * eps * (1.0 + speed), "some 10 operations"},
               {{shifted(attitude({.world_side = true})),
-                "omega stands on the left of q, but it is in body axes"}});
+                "omega stands on the left of q, but it is in body axes: put it on the right"}});
   trial.of("the angular acceleration")
       .expect(got.angular_acceleration_body, spinning(1),
               {32.0 * eps * 12.0 * speed * speed,
-               "some 10 operations, and moments that are a factor 12 apart at most"},
+               "some 10 operations, and moments at most a factor 12 apart"},
               {{spinning(-1), tests::flipped}, {spinning(0), tests::forgotten}});
 }
 
@@ -183,7 +187,7 @@ TEST_CASE("A Runge-Kutta step amplifies the wobble as its stability polynomial s
       const double got = tests::growth_factor(wobble, rk4_step(wobble.moments), dt, 4);
       tests::spin_trial(rk4_function, wobble.moments, wobble.start(1e-5), ++index, 10)
           .given("y", y)
-          .of("the wobble's growth a step")
+          .of("the wobble's growth per step")
           .expect(got, amplification(y),
                   {3e-7, "the wobble's own square, 1e-10, times up to y^4 and 1/|R|^4"});
     }
@@ -203,7 +207,7 @@ TEST_CASE("Runge-Kutta holds the wobble below two root two and loses it above", 
                        {1.01, "|R(i y)| < 1 for y < 2 sqrt2: it can only shrink"});
     trial.expect_small("100 - growth at 1.1 of the limit",
                        100.0 - tests::growth(wobble, rk4_step(wobble.moments), 1.1 * limit, 1000),
-                       {0.0, "|R(i y)| = 1.6 a step at y = 3.1"});
+                       {0.0, "|R(i y)| = 1.6 per step at y = 3.1"});
   }
 }
 

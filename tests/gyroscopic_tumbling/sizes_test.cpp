@@ -19,8 +19,9 @@ const std::vector<Sizes> ends{{0x1p192, 1.0},      {0x1p-192, 1.0},     {1.0, 0x
                               {1.0, 0x1p-192},     {0x1p192, 0x1p192},  {0x1p192, 0x1p-192},
                               {0x1p-192, 0x1p192}, {0x1p-192, 0x1p-192}};
 
-constexpr const char* nothing = "nothing happens: what is small is taken for zero";
-const tests::Bound same{1024.0 * eps, "the same numbers but for powers of two"};
+constexpr const char* nothing =
+    "nothing changes, because what is small is taken for zero: test only for exactly zero";
+const tests::Bound same{1024.0 * eps, "the same numbers up to powers of two"};
 
 struct Case {
   Vec3 moments;

@@ -55,23 +55,25 @@ struct Story {
 
 /// What can be wrong with one sub-rotation, and so with all.
 std::vector<Story> turn_stories() {
-  return {
-      {{.trigonometric = true}, "this turns by omega dt; asked for is tan(half) = omega dt / 2"},
-      {{.half = 1}, "the factor 1/2 is missing in tan(half) = omega dt / 2"},
-      {{.half = 0}, tests::half_is_zero},
-      {{.world_side = true}, "the turn stands on the left of q, but it is about a body axis"},
-      {{.momentum_forwards = true}, "m turns with the body: L rests, so m turns the other way"},
-      {{.omega_turned = true}, "omega is turned instead of m = I0 omega"}};
+  return {{{.trigonometric = true}, "this turns by omega dt: use tan(half) = omega dt / 2"},
+          {{.half = 1}, "the factor 1/2 is missing in tan(half): use omega dt / 2"},
+          {{.half = 0}, tests::half_is_zero},
+          {{.world_side = true},
+           "the turn stands on the left of q, but it is about a body axis: put it on the right"},
+          {{.momentum_forwards = true},
+           "m turns with the body: L is constant in the world, so turn m the other way"},
+          {{.omega_turned = true},
+           "omega is turned instead of m = I0 omega: turn m, then divide it by the moments"}};
 }
 
 std::vector<tests::Suspect<tests::SpinValue>> splitting_suspects(const Vec3& moments,
                                                                  const Spin& spin, double dt) {
   std::vector<Story> stories = turn_stories();
-  stories.push_back({{.axes = {2, 1, 0, 1, 2}}, "the order is 3-2-1-2-3, want 1-2-3-2-1"});
-  stories.push_back({{.axes = {0, 2, 1, 2, 0}}, "the order is 1-3-2-3-1, want 1-2-3-2-1"});
-  stories.push_back(
-      {{.axes = {0, 1, 2}, .share = 1}, "this is 1-2-3 for dt each: first order only"});
-  stories.push_back({{.share = 1}, "the outer four last dt each, want dt/2"});
+  stories.push_back({{.axes = {2, 1, 0, 1, 2}}, "the order is 3-2-1-2-3: use 1-2-3-2-1"});
+  stories.push_back({{.axes = {0, 2, 1, 2, 0}}, "the order is 1-3-2-3-1: use 1-2-3-2-1"});
+  stories.push_back({{.axes = {0, 1, 2}, .share = 1},
+                     "this is 1-2-3 for dt each, which is first order only: use 1-2-3-2-1"});
+  stories.push_back({{.share = 1}, "the outer four last dt each: let them last dt/2"});
   std::vector<tests::Suspect<tests::SpinValue>> suspects;
   for (const Story& story : stories) {
     suspects.push_back({narrow(splitting(moments, spin, wide(dt), story.variation)), story.text});
@@ -123,7 +125,7 @@ TEST_CASE("A sub-rotation turns by twice the arc tangent of half of omega dt", "
           tests::SpinValue{{Quat(std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)), Vec3(0.0, -0.5, 2.0)}},
           {32.0 * eps, "some 30 operations on numbers up to 6"},
           {{{{Quat(std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)), Vec3(0.0, 0.5, 2.0)}},
-            "m turns with the body: L rests, so m turns the other way"}});
+            "m turns with the body: L is constant in the world, so turn m the other way"}});
 }
 
 TEST_CASE("A sub-rotation turns the attitude forwards and the momentum back", "[2.5]") {
@@ -177,7 +179,8 @@ TEST_CASE("The splitting keeps the angular momentum as a world vector to roundin
     tests::spin_trial(splitting_function, moments, start, i, 10)
         .of("L after 1000 steps of 0.1 s")
         .expect(momentum(spin), momentum(start),
-                {1000.0 * 32.0 * eps * momentum(start).norm(), "32 ulp a step, all the same way"});
+                {1000.0 * 32.0 * eps * momentum(start).norm(),
+                 "32 ulp per step, all in the same direction"});
   }
 }
 
@@ -217,8 +220,9 @@ TEST_CASE("A step back undoes a splitting step", "[2.5]") {
         tests::spin_trial(splitting_function, moments, start, i, 20).given("dt", 0.2);
     trial.expect(
         tests::value_of(step_splitting(moments, there, -0.2)), tests::value_of(start),
-        {4096.0 * eps, "two steps' rounding; the order 1-2-3-2-1 reads the same backwards"},
-        {{tests::value_of(there), "a negative dt is taken for a positive or none"}});
+        {4096.0 * eps, "the rounding of two steps; the order 1-2-3-2-1 is the same backwards"},
+        {{tests::value_of(there),
+          "a negative dt is taken for a positive one or for zero: use it as it is"}});
     trial.expect_small("0.01 - angle of the step there",
                        0.01 - common::angle_between(start.world_from_body, there.world_from_body),
                        {0.0, "a step that does nothing is undone, too"});

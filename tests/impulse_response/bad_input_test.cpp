@@ -22,17 +22,20 @@ struct BadNumber {
 };
 
 std::vector<BadNumber> no_mass() {
-  return {{0.0, "a mass is above zero"},
-          {-1.0, "a mass is above zero"},
+  return {{0.0, "a mass must be above zero"},
+          {-1.0, "a mass must be above zero"},
           {not_a_number, "the mass is NaN"},
           {infinite, "the mass is infinite"}};
 }
 std::vector<BadNumber> no_restitution() {
-  return {{-0.01, "e is from 0 to 1"}, {1.01, "e is from 0 to 1"}, {not_a_number, "e is NaN"}};
+  return {{-0.01, "e must be from 0 to 1"},
+          {1.01, "e must be from 0 to 1"},
+          {not_a_number, "e is NaN"}};
 }
 std::vector<BadNumber> below_zero() {
-  return {
-      {-0.01, "it is not below zero"}, {not_a_number, "it is NaN"}, {infinite, "it is infinite"}};
+  return {{-0.01, "it must not be below zero"},
+          {not_a_number, "it is NaN"},
+          {infinite, "it is infinite"}};
 }
 std::vector<Vec3> no_normals() {
   return {Vec3::Zero(), Vec3(0.0, 0.0, 1.0 + 3e-9), Vec3(0.0, 0.0, not_a_number), infinite_vector};
@@ -54,7 +57,7 @@ void refuse(const std::string& function, const std::vector<Vec3>& vectors, const
   }
 }
 
-const char* const unit_normal = "a normal is of length one";
+const char* const unit_normal = "a normal must have length one";
 const char* const must_be_finite = "it is NaN or infinite";
 
 /// Every input of a step that must be refused, given to `call`: the good one with one thing wrong.
@@ -75,8 +78,9 @@ void refuse_steps(const std::string& function, const tests::StepInput& good, con
     refused(with([r = e](auto& in) { in.material.restitution = r; }), why);
   }
   for (const double bad : {-0.01, not_a_number, infinite}) {
-    refused(with([&](auto& in) { in.material.friction = bad; }), "mu is finite and not below zero");
-    refused(with([&](auto& in) { in.dt = bad; }), "dt is finite and not below zero");
+    refused(with([&](auto& in) { in.material.friction = bad; }),
+            "mu must be finite and not below zero");
+    refused(with([&](auto& in) { in.dt = bad; }), "dt must be finite and not below zero");
   }
   for (const Vec3& bad : {nan_vector, infinite_vector}) {
     refused(with([&](auto& in) { in.particle.position = bad; }), must_be_finite);
@@ -89,7 +93,7 @@ void refuse_steps(const std::string& function, const tests::StepInput& good, con
   }
   for (const double bad : {0.0, -1.0, not_a_number, infinite}) {
     refused(with([&](auto& in) { in.obstacle = common::Cylinder{bad}; }),
-            "a radius is finite and above zero");
+            "a radius must be finite and above zero");
   }
 }
 
@@ -118,7 +122,7 @@ std::vector<RigidBody> no_bodies() {
 }
 
 const char* const body_why =
-    "a body is finite, its inverse inertia symmetric without negative moments";
+    "a body must be finite, and its inverse inertia symmetric without negative moments";
 
 template <typename Call>
 void refuse_bodies(const std::string& function, const Call& call) {
@@ -201,7 +205,7 @@ TEST_CASE("A step to impact of bad input is refused", "[6.4]") {
               [&, most = max_impacts] {
                 return tests::impact_step_by_answer(good, most).step.position;
               },
-              "max_impacts is at least 1");
+              "max_impacts must be at least 1");
     }
   }
 }

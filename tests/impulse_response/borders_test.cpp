@@ -11,7 +11,7 @@ namespace {
 
 /// Of length one to less than the contract's 1e-9.
 const Vec3 nearly_unit(0.0, 0.0, 1.0 + 4e-10);
-const tests::Bound of_a_length{2e-8, "a normal is of length one to 1e-9"};
+const tests::Bound of_a_length{2e-8, "the length of a normal is one up to 1e-9"};
 
 }  // namespace
 
@@ -71,7 +71,7 @@ TEST_CASE("A step that ends on the surface has no impulse", "[6.4]") {
   in.dt = 0.25;
   tests::step_trial("step_by_projection", in)
       .expect(tests::projected_by_answer(in), {Vec3::Zero(), in.particle.velocity, Vec3::Zero()},
-              {0.0, "small powers of two; only where phi < 0 is there anything to do"});
+              {0.0, "small powers of two; only a particle with phi < 0 is changed"});
 }
 
 TEST_CASE("What comes down from just above the surface has an impact", "[6.4]") {

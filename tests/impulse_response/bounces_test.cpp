@@ -47,7 +47,7 @@ TEST_CASE("Twenty bounces have heights of e to the 2n", "[6.4]") {
     }
     tests::step_trial("step_to_impact", in)
         .of("the number of bounces")
-        .expect(static_cast<double>(bounces), 20.0, {0.0, "they are counted"});
+        .expect(static_cast<double>(bounces), 20.0, {0.0, "a count must be exact"});
   }
 }
 
@@ -70,8 +70,8 @@ TEST_CASE("Bounces pile up at the rest time and the cap ends them", "[6.4]") {
       trial.of("the last impact before the rest time").expect(rest - last, left, bound);
       trial.of("the number of impacts")
           .expect(static_cast<double>(step.impacts.size()), static_cast<double>(cap),
-                  {0.0, "they are counted"});
-      trial.of("how long was projected").expect(step.projected, in.dt - last, bound);
+                  {0.0, "a count must be exact"});
+      trial.of("the time that was projected").expect(step.projected, in.dt - last, bound);
     }
   }
 }
@@ -90,7 +90,7 @@ TEST_CASE("Shortly before the rest time there is no end in sight and shortly aft
     // which is 0.083 of it at n = 4.
     tests::step_trial("step_to_impact", in, ++index, 2)
         .given("max_impacts", 12)
-        .of("how long was projected")
+        .of("the time that was projected")
         .expect(step.projected,
                 share < 1.0 ? 0.0 : 0.1 * rest + 2.0 * v * std::pow(e, 12) / (g * (1.0 - e)),
                 {16.0 * eps * rest * 13.0, "a sum of as many flights"});

@@ -19,7 +19,7 @@ tests::Bound rounding(const ContactInput& in, double largest_term = 1.0) {
   const tests::ContactOutcome outcome = tests::contact_outcome(in);
   return {256.0 * eps * largest_term *
               static_cast<double>(outcome.impulse.norm() * outcome.amplification),
-          "rounding, as much larger as K and the slip's direction make it"};
+          "rounding, multiplied by the condition of K and of the slip's direction"};
 }
 
 RigidBody turned(const RigidBody& body, const Mat3& R) {
@@ -89,7 +89,7 @@ TEST_CASE("It does not matter which body comes first", "[6.5]") {
     const ContactInput in = tests::random_contact(random, i);
     const ContactInput swapped{in.b, in.a, {in.contact.point, -in.contact.normal}, in.material};
     tests::contact_trial(in, i, 60)
-        .of("the impulse, against that with a and b swapped")
+        .of("the impulse, compared with that for a and b swapped")
         .expect(impulse(in), Vec3(-impulse(swapped)), rounding(in));
   }
 }

@@ -59,7 +59,7 @@ TEST_CASE("A slide without friction ends at two thirds with an error of order dt
     trial.expect_small("error", error, {1.0 * dt, "order one; measured 0.90 dt"});
     if (index > 1) {
       trial.of("the order over a decade of dt")
-          .expect(std::log10(coarse / error), 1.0, {0.02, "order one, here but for dt itself"});
+          .expect(std::log10(coarse / error), 1.0, {0.02, "order one, up to a term of order dt"});
     }
     coarse = error;
   }
@@ -75,7 +75,7 @@ TEST_CASE("The particle is let go late by the root of dt", "[6.4]") {
   for (const double dt : {1e-3, 1e-4, 1e-5}) {
     const double late = std::sqrt(omega * dt / (3.0 * std::tan(exact_angle)));
     slide_trial(dt, ++index, 3)
-        .of("how late it is let go [rad]")
+        .of("how late it leaves the surface [rad]")
         .expect(slide(dt).free - exact_angle, late,
                 {4.0 * omega * dt, "the next term is of order dt, and a step is omega dt"});
   }

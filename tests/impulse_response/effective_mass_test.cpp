@@ -24,7 +24,7 @@ void expect_K(const RigidBody& a, const RigidBody& b, const Vec3& point, int ind
                       (a.inverse_inertia.norm() + b.inverse_inertia.norm()) * point.norm() * 4.0;
   mass_trial(a, b, point, index, count)
       .expect(inverse_effective_mass(a, b, point), wanted,
-              {32.0 * eps * size, "two products of 3 x 3 matrices a body"});
+              {32.0 * eps * size, "two products of 3 x 3 matrices per body"});
 }
 
 Trial trial_of_impulse(const RigidBody& body, const Vec3& impulse, const Vec3& point, int index,
@@ -47,9 +47,10 @@ void expect_body(const RigidBody& body, const Vec3& j, const Vec3& point, int in
               {64.0 * eps * (1.0 + body.inverse_inertia.norm() * j.norm() * (4.0 + point.norm())),
                "a cross product and a product with a matrix"});
   trial.of("the position").expect(got.position, body.position, {0.0, "an impulse moves nothing"});
-  trial.of("the inverse mass").expect(got.inverse_mass, body.inverse_mass, {0.0, "it stays"});
+  trial.of("the inverse mass")
+      .expect(got.inverse_mass, body.inverse_mass, {0.0, "it stays the same"});
   trial.of("the inverse inertia")
-      .expect(got.inverse_inertia, body.inverse_inertia, {0.0, "it stays"});
+      .expect(got.inverse_inertia, body.inverse_inertia, {0.0, "it stays the same"});
 }
 
 }  // namespace
@@ -101,7 +102,7 @@ TEST_CASE("K is symmetric and does not care which body comes first", "[6.5]") {
     const tests::ContactInput in = tests::random_contact(random, i);
     const Vec3& p = in.contact.point;
     const Mat3 K = inverse_effective_mass(in.a, in.b, p);
-    const tests::Bound rounding{32.0 * eps * 100.0, "two products of 3 x 3 matrices a body"};
+    const tests::Bound rounding{32.0 * eps * 100.0, "two products of 3 x 3 matrices per body"};
     mass_trial(in.a, in.b, p, i, 20).of("K transposed").expect(K, Mat3(K.transpose()), rounding);
     mass_trial(in.b, in.a, p, i, 20)
         .of("K of b and a")
@@ -113,7 +114,7 @@ TEST_CASE("Two immovable bodies yield to nothing", "[6.5]") {
   const Vec3 point(1.0, 2.0, 3.0);
   mass_trial(tests::ground(), tests::ground(), point, 1, 1)
       .expect(inverse_effective_mass(tests::ground(), tests::ground(), point), Mat3(Mat3::Zero()),
-              {0.0, "all is zero"});
+              {0.0, "everything is zero"});
 }
 
 TEST_CASE("An impulse beside the centre moves and turns the body", "[6.5]") {
@@ -213,8 +214,9 @@ TEST_CASE("An impulse and its opposite keep both momenta of two bodies", "[6.5]"
                 tests::narrow(momentum(a) + momentum(b)),
                 {128.0 * eps * 5.0 * 10.0, "velocities err by eps 10, masses are at most 5"});
     trial.of("the angular momentum of both about the world's origin")
-        .expect(tests::narrow(about_origin(a_after) + about_origin(b_after)),
-                tests::narrow(about_origin(a) + about_origin(b)),
-                {128.0 * eps * 5.0 * 200.0, "the same, with lever arms; spins are below 200"});
+        .expect(
+            tests::narrow(about_origin(a_after) + about_origin(b_after)),
+            tests::narrow(about_origin(a) + about_origin(b)),
+            {128.0 * eps * 5.0 * 200.0, "the same bound, with lever arms; spins are below 200"});
   }
 }

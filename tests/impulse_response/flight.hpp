@@ -38,38 +38,53 @@ enum class FlightFlaw {
 inline const std::vector<std::pair<FlightFlaw, std::string>>& flight_flaws() {
   static const std::vector<std::pair<FlightFlaw, std::string>> all{
       {FlightFlaw::acts_at_the_end,
-       "the time of impact is missed: the impulse acts at the end of the step"},
+       "the time of impact is missed, so the impulse acts at the end of the step: fly to the "
+       "impact first"},
       {FlightFlaw::flies_the_whole_step,
-       "time does not go on: after an impact the whole of dt is flown again"},
-      {FlightFlaw::old_velocity, "the impulse is that of the flight's start, before gravity acted"},
-      {FlightFlaw::drops_the_rest, "what is left of the step after the last impact is forgotten"},
-      {FlightFlaw::projects_the_whole_step, "the step by projection takes dt, not what is left"},
-      {FlightFlaw::never_stops, "max_impacts is not obeyed: bounces may never end"},
-      {FlightFlaw::stops_late, "there is one impact more than max_impacts"},
-      {FlightFlaw::flies_by_steps, "the flight is that of option 2: it is x + t v + t^2 g / 2"},
+       "time does not go on, so the whole of dt is flown again after an impact: add up the "
+       "flights"},
+      {FlightFlaw::old_velocity,
+       "the impulse is that of the flight's start, before gravity acted: use the velocity at the "
+       "impact"},
+      {FlightFlaw::drops_the_rest,
+       "the rest of the step after the last impact is forgotten: project it"},
+      {FlightFlaw::projects_the_whole_step,
+       "the step by projection takes dt: give it only the time that is left"},
+      {FlightFlaw::never_stops,
+       "max_impacts is not obeyed, so bounces may never end: stop after that many impacts"},
+      {FlightFlaw::stops_late,
+       "there is one impact more than max_impacts: stop after that many impacts"},
+      {FlightFlaw::flies_by_steps, "the flight is that of option 2: use x + t v + t^2 g / 2"},
       {FlightFlaw::flies_the_rest,
-       "what is left after the last impact is flown: it is to be projected"},
+       "the rest of the step after the last impact is flown: project it"},
       {FlightFlaw::tells_no_rest,
-       "what is left after the last impact is flown: it is to be projected"},
-      {FlightFlaw::no_gravity, "gravity does not act in flight"},
-      {FlightFlaw::one_impact, "there is one impact only, whatever max_impacts allows"},
+       "the rest of the step after the last impact is flown: project it"},
+      {FlightFlaw::no_gravity,
+       "gravity does not act in flight: use x + t v + t^2 g / 2 and v + t g"},
+      {FlightFlaw::one_impact,
+       "there is one impact only: go on until max_impacts or the end of the step"},
       {FlightFlaw::no_last_flight,
-       "the flight after the last impact is left out: fly on to the end of the step"},
-      {FlightFlaw::times_of_flights, "times are counted from the last impact, not from the start"},
-      {FlightFlaw::no_mass, "the impulse is added to the velocity without 1/m"},
-      {FlightFlaw::no_friction, "the impulse is along the normal alone: j_t is missing"},
-      {FlightFlaw::little_is_none, "a small restitution is taken for none: only zero is none"},
+       "the flight after the last impact is left out: fly on until the step ends"},
+      {FlightFlaw::times_of_flights,
+       "times are counted from the last impact: count them from the start of the step"},
+      {FlightFlaw::no_mass, "the impulse is added to the velocity without 1/m: divide it by m"},
+      {FlightFlaw::no_friction, "the impulse is along the normal alone: add the friction j_t"},
+      {FlightFlaw::little_is_none,
+       "a small restitution is taken for zero: test only for exactly zero"},
       {FlightFlaw::slow_is_resting,
-       "what leaves slowly is taken for one that rests: only v_n <= 0 rests"},
-      {FlightFlaw::never_rests, "what rests or slides at the start is not projected at once"},
-      {FlightFlaw::looks_ahead, "the next impact is looked for in dt, not in what is left of it"},
-      {FlightFlaw::old_normal, "the normal is that of the flight's start, not of the impact"},
-      {FlightFlaw::no_corrections, "what is left is projected without both corrections"},
+       "a particle that leaves slowly is taken for one that rests: it rests only if v_n <= 0"},
+      {FlightFlaw::never_rests,
+       "a particle that rests or slides at the start is not projected: project it from the start"},
+      {FlightFlaw::looks_ahead,
+       "the next impact is looked for in dt: look only in the time that is left"},
+      {FlightFlaw::old_normal, "the normal is that of the flight's start: take it at the impact"},
+      {FlightFlaw::no_corrections,
+       "the rest of the step is projected without both corrections: make both"},
       {FlightFlaw::close_is_touching,
-       "what comes down close to the surface is taken for touching: only phi <= 0 is"},
+       "a particle close to the surface is taken for touching: it touches only if phi <= 0"},
       {FlightFlaw::projects_and_tells_the_whole_step,
-       "the step by projection takes dt, not what is left"},
-      {FlightFlaw::tells_the_whole_step, "projected is dt, not what is left of it"}};
+       "the step by projection takes dt: give it only the time that is left"},
+      {FlightFlaw::tells_the_whole_step, "`projected` is dt: set it to the time that was left"}};
   return all;
 }
 
@@ -179,14 +194,14 @@ inline void expect_impact_step(const StepInput& in, int max_impacts, int index =
   const Particle& p = in.particle;
   const double size = p.position.norm() + p.velocity.norm() + in.gravity.norm() + 1.0;
   const Bound bound{128.0 * eps * std::max(1.0, p.mass) * size * wanted.amplification,
-                    "rounding, and what each impact makes of it: where it comes slowly an error of "
-                    "place is one of time"};
+                    "rounding, and what each impact makes of it: in a slow approach an error in "
+                    "place becomes one in time"};
   const Trial end = trial.of("the end of the step and the sum of its impulses");
   if (!is_finite(got.step)) end.expect(got.step, wanted.step, bound);
   trial.of("the number of impacts")
       .expect(static_cast<double>(got.impacts), static_cast<double>(wanted.impacts),
-              {0.0, "they are counted"});
-  trial.of("how long was projected").expect(got.projected, wanted.projected, bound);
+              {0.0, "a count must be exact"});
+  trial.of("the time that was projected").expect(got.projected, wanted.projected, bound);
   end.expect(got.step, wanted.step, bound);
 }
 

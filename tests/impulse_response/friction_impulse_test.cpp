@@ -91,7 +91,7 @@ TEST_CASE("No other impulse in the cone takes as much energy", "[6.2]") {
       }
     }
     friction_trial(c, i, 50).expect_small(
-        "energy left, beyond the least of 288 other impulses", energy(j) - least,
+        "energy left, minus the least with 288 other impulses", energy(j) - least,
         {32.0 * eps * energy(Vec3::Zero()), "rounding of two energies"});
   }
 }

@@ -51,9 +51,9 @@ TEST_CASE("As many impacts as an int can count may be allowed", "[6.4]") {
   constexpr int most = std::numeric_limits<int>::max();
   tests::step_trial("step_to_impact", in)
       .given("max_impacts", most)
-      .of("the end of the step, as of at most 4 impacts")
+      .of("the end of the step, compared with at most 4 impacts")
       .expect(tests::impact_step_by_answer(in, most).step, wanted,
-              {0.0, "there is one impact in either"});
+              {0.0, "there is one impact in both"});
 }
 
 TEST_CASE("A bounce on rough ground loses more along than across", "[6.4]") {
@@ -84,9 +84,10 @@ TEST_CASE("One bounce within a step is worked by hand", "[6.4]") {
       .expect(tests::impact_step_by_answer(in, 4).step, wanted,
               {32.0 * eps * 15.0, "some 20 operations"});
   trial.of("the number of impacts")
-      .expect(static_cast<double>(step.impacts.size()), 1.0, {0.0, "they are counted"});
+      .expect(static_cast<double>(step.impacts.size()), 1.0, {0.0, "a count must be exact"});
   trial.of("the time of impact")
-      .expect(step.impacts.front().time, 0.5, {4.0 * eps, "as common::time_of_impact has it"});
+      .expect(step.impacts.front().time, 0.5,
+              {4.0 * eps, "the same as from common::time_of_impact"});
 }
 
 TEST_CASE("What is inside and parts stays where it is in no time", "[6.4]") {

@@ -76,7 +76,7 @@ std::vector<Mistake<ContactInput, Vec3>> contact_mistakes() {
                      return divides_by_zero || near_impulse(got, contact_outcome(in, f).impulse);
                    }});
   }
-  all.push_back({"without slip this is 0/0: j_t has no direction there",
+  all.push_back({"without slip this is 0/0: j_t has no direction then, so return j_n n",
                  [](const ContactInput& in, const Vec3& got) {
                    const bool smooth = is_straight(in) && in.material.friction == 0.0 &&
                                        contact_outcome(in).impulse.norm() > 0;
@@ -84,13 +84,13 @@ std::vector<Mistake<ContactInput, Vec3>> contact_mistakes() {
                                  : near_impulse(got, contact_outcome(in).impulse) ||
                                        (is_straight(in) && !is_finite(got));
                  }});
-  all.push_back(at_tiny_speeds("a small speed is taken for none: no speed is too small",
+  all.push_back(at_tiny_speeds("a small speed is taken for zero: test only for exactly zero",
                                [](const ContactInput&) { return ContactOutcome(); }));
   all.push_back(at_tiny_speeds(
-      "what parts slowly gets an impulse: zero is the border",
+      "bodies that move apart slowly get an impulse: compare u_n with exactly zero",
       [](const ContactInput& in) { return contact_outcome(in, BodyFlaw::acts_while_parting); }));
   all.push_back(at_tiny_speeds(
-      "a small impulse always sticks: it does only where |j_t| <= mu j_n",
+      "a small impulse always sticks: it sticks only if |j_t| <= mu j_n",
       [](const ContactInput& in) { return contact_outcome(in, BodyFlaw::always_sticks); }));
   return all;
 }

@@ -42,31 +42,34 @@ std::vector<Mistake<NormalCase, double>> normal_mistakes() {
   const auto of = [](const std::string& story, const auto& value) {
     return returns<C, double>(story, value);
   };
-  const std::string parts = "the impulse of a particle that parts is not skipped";
-  return {
-      of("the normal is taken the other way round: what parts gets an impulse",
-         [](const C& c) { return std::max(0.0, -parting_impulse(c)); }),
-      of("there is no impulse at all", [](const C&) { return 0.0; }),
-      of(parts, parting_impulse),
-      of(parts, [](const C& c) { return std::abs(parting_impulse(c)); }),
-      of("e stands where 1 + e belongs",
-         share_of_approach([](const C& c) { return c.restitution * c.mass; })),
-      of("1 - e stands where 1 + e belongs",
-         share_of_approach([](const C& c) { return (1.0 - c.restitution) * c.mass; })),
-      of("the mass is missing", share_of_approach([](const C& c) { return 1.0 + c.restitution; })),
-      of("the speed is divided by the mass",
-         share_of_approach([](const C& c) { return (1.0 + c.restitution) / c.mass; })),
-      of("restitution is missing", share_of_approach([](const C& c) { return c.mass; })),
-      of("the impulse points inwards: its sign",
-         share_of_approach([](const C& c) { return -(1.0 + c.restitution) * c.mass; })),
-      of("the whole speed counts, not its normal part",
-         [](const C& c) {
-           return speed_of(c) < 0.0 ? (1.0 + c.restitution) * c.mass * c.velocity.norm() : 0.0;
-         }),
-      at_tiny_speeds("a small speed is taken for none: no speed is too small", -1.0,
-                     [](const C&) { return 0.0; }),
-      at_tiny_speeds("what parts slowly gets an impulse: zero is the border", 1.0,
-                     parting_impulse)};
+  const std::string parts = "a particle that moves away gets an impulse: return 0 if v_n >= 0";
+  return {of("the normal is taken the other way round: use v_n = n.v without a minus sign",
+             [](const C& c) { return std::max(0.0, -parting_impulse(c)); }),
+          of("there is no impulse at all: return -(1 + e) m v_n if v_n < 0",
+             [](const C&) { return 0.0; }),
+          of(parts, parting_impulse),
+          of(parts, [](const C& c) { return std::abs(parting_impulse(c)); }),
+          of("e is used instead of 1 + e",
+             share_of_approach([](const C& c) { return c.restitution * c.mass; })),
+          of("1 - e is used instead of 1 + e",
+             share_of_approach([](const C& c) { return (1.0 - c.restitution) * c.mass; })),
+          of("the impulse is missing the mass: multiply by m",
+             share_of_approach([](const C& c) { return 1.0 + c.restitution; })),
+          of("the speed is divided by the mass: multiply by m",
+             share_of_approach([](const C& c) { return (1.0 + c.restitution) / c.mass; })),
+          of("restitution is missing: multiply by 1 + e",
+             share_of_approach([](const C& c) { return c.mass; })),
+          of("the impulse points inwards: change its sign",
+             share_of_approach([](const C& c) { return -(1.0 + c.restitution) * c.mass; })),
+          of("the whole speed is used: use only its normal part v_n",
+             [](const C& c) {
+               return speed_of(c) < 0.0 ? (1.0 + c.restitution) * c.mass * c.velocity.norm() : 0.0;
+             }),
+          at_tiny_speeds("a small speed is taken for zero: test only for exactly zero", -1.0,
+                         [](const C&) { return 0.0; }),
+          at_tiny_speeds(
+              "a particle that moves away slowly gets an impulse: compare v_n with exactly zero",
+              1.0, parting_impulse)};
 }
 
 /// Of (2) and of (4), which is (2) of a displacement for a mass of one.
@@ -128,7 +131,7 @@ std::vector<Mistake<Input, Vec3>> slip_mistakes(const SlipWords& words) {
       of(words.whole, [](const P& p) { return narrow(braked(p.mass * p.whole, p.cone)); }),
       of(words.whole_length,
          [](const P& p) { return along(std::min(p.cone, p.mass * p.whole.norm()), p.slip); }),
-      of("the larger of the two is taken: it is the smaller",
+      of("the larger of the two is taken: take the smaller",
          [](const P& p) { return along(std::max(p.cone, p.mass * p.slip.norm()), p.slip); }),
       of(words.over_whole,
          [](const P& p) {
@@ -162,36 +165,41 @@ std::vector<CorrectionCase> correction_inputs() {
 
 std::vector<Mistake<FrictionCase, Vec3>> friction_mistakes() {
   auto all = slip_mistakes<FrictionCase>(
-      {"friction is along the slip: it pushes on",
-       "friction stops all slip: it may not leave the cone mu j_n",
-       "friction is always mu j_n: it may not turn a small slip round", "mu is missing",
-       "the whole velocity is braked, not its tangential part",
-       "m |v| stands where m |v_t| belongs in the smaller of the two",
-       "|v| stands where |v_t| belongs", "the slip is not made a unit direction",
-       "there is no friction",
-       "a small slip is taken for none: however slowly it slips it is braked",
-       "something is added to |v_t|, and a small slip is braked too little",
-       "without slip this is 0/0: v_t has no direction there"});
+      {"friction is along the slip, so it pushes on: change its sign",
+       "friction stops all slip: limit it to mu j_n",
+       "friction is always mu j_n: a small slip needs only m |v_t|",
+       "mu is missing: multiply by mu",
+       "the whole velocity is braked: brake only its tangential part",
+       "m |v| is used instead of m |v_t| in the smaller of the two",
+       "|v| is used instead of |v_t|: divide v_t by its own length",
+       "the slip is not made a unit vector: divide it by its length",
+       "there is no friction: add the tangential impulse",
+       "a small slip is taken for zero: test only for exactly zero",
+       "something is added to |v_t|, so a small slip is braked too little: divide by |v_t| itself",
+       "without slip this is 0/0: v_t has no direction then, so return zero"});
   using C = FrictionCase;
-  all.push_back(returns<C, Vec3>("the mass is missing in m |v_t|", [](const C& c) {
-    return along(std::min(cone(c), slip(c).norm()), slip(c));
-  }));
-  all.push_back(returns<C, Vec3>("the impulse is divided by the mass",
+  all.push_back(returns<C, Vec3>(
+      "the mass is missing in m |v_t|: multiply |v_t| by m",
+      [](const C& c) { return along(std::min(cone(c), slip(c).norm()), slip(c)); }));
+  all.push_back(returns<C, Vec3>("the impulse is divided by the mass: return it as it is",
                                  [](const C& c) { return Vec3(exact_friction(c) / c.mass); }));
   return all;
 }
 
 std::vector<Mistake<CorrectionCase, Vec3>> correction_mistakes() {
   return slip_mistakes<CorrectionCase>(
-      {"the correction is along the slip: it slides on",
-       "all of the motion is undone: it may not be more than mu d_n",
-       "it is always mu d_n: never more than the slip itself", "mu is missing",
-       "the whole displacement is undone, not its tangential part",
-       "|d| stands where |d_t| belongs in the smaller of the two", "|d| stands where |d_t| belongs",
-       "the slip is not made a unit direction", "there is no tangential correction",
-       "a small slip is taken for none: however short the way it is moved back",
-       "something is added to |d_t|, and a small slip is moved back too little",
-       "without slip this is 0/0: d_t has no direction there"});
+      {"the correction is along the slip, so it slides on: change its sign",
+       "all of the slip is undone: undo no more than mu d_n",
+       "it is always mu d_n: undo no more than the slip itself", "mu is missing: multiply by mu",
+       "the whole displacement is undone: undo only its tangential part",
+       "|d| is used instead of |d_t| in the smaller of the two",
+       "|d| is used instead of |d_t|: divide d_t by its own length",
+       "the slip is not made a unit vector: divide it by its length",
+       "there is no tangential correction: add it",
+       "a small slip is taken for zero: test only for exactly zero",
+       "something is added to |d_t|, so a small slip is moved back too little: divide by |d_t| "
+       "itself",
+       "without slip this is 0/0: d_t has no direction then, so return zero"});
 }
 
 std::vector<DepthCase> depth_inputs() {
@@ -203,18 +211,19 @@ std::vector<Mistake<DepthCase, Vec3>> depth_mistakes() {
   const auto of = [](const std::string& story, const auto& value) {
     return returns<C, Vec3>(story, value);
   };
-  const std::string inwards = "the particle is pushed inwards: +phi n";
-  const std::string pulled = "a particle outside is pulled to the surface";
-  return {
-      of(inwards, [](const C& c) { return Vec3(std::min(c.gap, 0.0) * c.normal); }),
-      of(inwards, [](const C& c) { return Vec3(c.gap * c.normal); }),
-      of(pulled, [](const C& c) { return Vec3(-c.gap * c.normal); }),
-      of("a particle outside is moved, too",
-         [](const C& c) { return Vec3(std::abs(c.gap) * c.normal); }),
-      of("there is no normal correction", [](const C&) { return Vec3(Vec3::Zero()); }),
-      {"a small depth is taken for none: no depth is too small", [](const C& c, const Vec3& got) {
-         return near(got, c.gap > -tiny ? Vec3(Vec3::Zero()) : exact_depth(c));
-       }}};
+  const std::string inwards = "the particle is pushed inwards: use -phi n, not +phi n";
+  const std::string pulled = "a particle outside is pulled to the surface: return zero if phi >= 0";
+  return {of(inwards, [](const C& c) { return Vec3(std::min(c.gap, 0.0) * c.normal); }),
+          of(inwards, [](const C& c) { return Vec3(c.gap * c.normal); }),
+          of(pulled, [](const C& c) { return Vec3(-c.gap * c.normal); }),
+          of("a particle outside is moved, too: return zero if phi >= 0",
+             [](const C& c) { return Vec3(std::abs(c.gap) * c.normal); }),
+          of("there is no normal correction: return -phi n if phi < 0",
+             [](const C&) { return Vec3(Vec3::Zero()); }),
+          {"a small depth is taken for zero: test only whether phi < 0",
+           [](const C& c, const Vec3& got) {
+             return near(got, c.gap > -tiny ? Vec3(Vec3::Zero()) : exact_depth(c));
+           }}};
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ constexpr double falls = 9.81 * 0.01;  // g dt, by which gravity changes the vel
 /// division. Each time it errs by half an ulp of the largest term at most; and 8 eps are 16 halves
 /// of an ulp or more, of g dt 25.
 tests::Bound rounding(int steps, double largest_term) {
-  return {8.0 * eps * steps * largest_term, "some 20 roundings a step"};
+  return {8.0 * eps * steps * largest_term, "some 20 roundings per step"};
 }
 
 }  // namespace
@@ -151,6 +151,6 @@ TEST_CASE("An elastic ball loses a speed of g dt in two bounces", "[6.4]") {
         .of("the energy lost in ten bounces over dt")
         .expect(0.5 * (speed * speed - value.velocity.squaredNorm()) / in.dt,
                 0.5 * (speed * speed - after_pairs * after_pairs) / in.dt,
-                {1e-12 * speed * speed / in.dt, "powers of two: all but exact"});
+                {1e-12 * speed * speed / in.dt, "powers of two, so almost exact"});
   }
 }

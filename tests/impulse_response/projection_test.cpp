@@ -173,5 +173,6 @@ TEST_CASE("Gap and impulse are never below zero and one of them is zero", "[6.4]
     impulses += lambda > 0.0 ? 1 : 0;
   }
   projection_trial(projection_by_hand(), 1, 1)
-      .expect_small("30 - how many of 100 hit", 30.0 - impulses, {0.0, "most come down"});
+      .expect_small("30 minus the number of 100 particles that hit", 30.0 - impulses,
+                    {0.0, "most particles come down"});
 }

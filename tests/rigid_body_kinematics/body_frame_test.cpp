@@ -38,34 +38,38 @@ tests::Trial velocity_trial(const RigidBodyState& state, const Vec3& point, int 
 
 std::vector<tests::Suspect<Vec3>> suspects_of_world_point(const RigidBodyState& s, const Vec3& p) {
   const Quat& q = s.world_from_body;
-  return {{s.position + turned_back(q, p), "the turn goes the wrong way: body from world"},
-          {s.position + turned(q, turned(q, p)), "the turn is made twice"},
-          {turned(q, p), "the shift by the centre of mass is missing"},
-          {turned(q, s.position + p), "the shift comes before the turn: R (x + p) for x + R p"},
-          {s.position + p, "the turn is missing"}};
+  return {
+      {s.position + turned_back(q, p),
+       "the turn goes the wrong way, body from world: use R, not R^T"},
+      {s.position + turned(q, turned(q, p)), "the turn is made twice: turn the point only once"},
+      {turned(q, p), "the shift by the centre of mass is missing: add x"},
+      {turned(q, s.position + p), "the shift comes before the turn: return x + R p, not R (x + p)"},
+      {s.position + p, "the turn is missing: turn the point by R"}};
 }
 
 std::vector<tests::Suspect<Vec3>> suspects_of_body_point(const RigidBodyState& s, const Vec3& p) {
   const Quat& q = s.world_from_body;
-  return {{turned(q, p - s.position), "the turn goes the wrong way: world from body"},
-          {turned_back(q, p), "the shift by the centre of mass is missing"},
-          {turned_back(q, p) - s.position,
-           "the turn comes before the shift: R^T p - x for R^T (p - x)"},
-          {p - s.position, "the turn is missing"}};
+  return {
+      {turned(q, p - s.position), "the turn goes the wrong way, world from body: use R^T, not R"},
+      {turned_back(q, p), "the shift by the centre of mass is missing: subtract x"},
+      {turned_back(q, p) - s.position,
+       "the turn comes before the shift: return R^T (p - x), not R^T p - x"},
+      {p - s.position, "the turn is missing: turn p - x by R^T"}};
 }
 
 std::vector<tests::Suspect<Vec3>> suspects_of_velocity(const RigidBodyState& s, const Vec3& p) {
   const Vec3& omega = s.angular_velocity;
   const Vec3 r = p - s.position;
-  return {{s.velocity + r.cross(omega), "the cross product is the wrong way round: r x omega"},
-          {s.velocity + omega.cross(p),
-           "the lever arm starts at the world's origin: p where p - x belongs"},
-          {omega.cross(r), "the velocity of the centre of mass is missing"},
-          {s.velocity, "the turning contributes nothing: omega x r is missing"},
-          {s.velocity + turned(s.world_from_body, omega).cross(r),
-           "omega is a world vector already, but was turned once more"},
-          {s.velocity + omega.cross(turned_back(s.world_from_body, r)),
-           "the lever arm is in the body frame, omega in the world frame"}};
+  return {
+      {s.velocity + r.cross(omega),
+       "the cross product is the wrong way round: r x omega instead of omega x r"},
+      {s.velocity + omega.cross(p), "the lever arm starts at the world's origin: use p - x, not p"},
+      {omega.cross(r), "the velocity of the centre of mass is missing: add v"},
+      {s.velocity, "the spin contributes nothing: omega x r is missing, so add it"},
+      {s.velocity + turned(s.world_from_body, omega).cross(r),
+       "omega is already a world vector, but it is turned once more: use it as it is"},
+      {s.velocity + omega.cross(turned_back(s.world_from_body, r)),
+       "the lever arm is in the body frame, but omega in the world frame: use r = p - x"}};
 }
 
 /// Some 30 rounded operations on terms no larger than the sum; the quaternion is unit to 2 ulp.

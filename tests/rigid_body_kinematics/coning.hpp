@@ -50,8 +50,8 @@ void expect_order(const Trial& trial, const Attitude& start, const Step& step, d
       std::log2(coning_error(start, step, 256) / coning_error(start, step, 512));
   trial.expect(measured, order,
                {0.1,
-                "the slope between 256 and 512 steps, bent by 0.07 at most by the next term of "
-                "the error; a slope of 0 means that another motion is integrated"});
+                "the slope between 256 and 512 steps; the next term of the error bends it by at "
+                "most 0.07; a slope of 0 means that another motion is integrated"});
 }
 
 }  // namespace tests

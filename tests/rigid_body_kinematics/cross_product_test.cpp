@@ -10,10 +10,10 @@ using tests::Trial;
 namespace {
 
 const std::string missing_signs =
-    "the minus signs are missing: a cross product's matrix is antisymmetric";
+    "the minus signs are missing: the matrix of a cross product is antisymmetric";
 
 std::vector<tests::Suspect<Mat3>> suspects_of_matrix(const Mat3& wanted) {
-  return {{-wanted, "the signs are those of the transpose: this is u x w, not w x u"},
+  return {{-wanted, "the signs are those of the transpose, which gives u x w: change all signs"},
           {wanted.cwiseAbs(), missing_signs}};
 }
 
@@ -40,8 +40,9 @@ TEST_CASE("skew of w times u is the cross product of w and u", "[1.1]") {
         .given("w", w)
         .given("u", u)
         .expect(got, wanted,
-                {4.0 * eps * w.norm() * u.norm(), "three rounded operations a component"},
-                {{-wanted, "the signs are those of the transpose: this is u x w, not w x u"}});
+                {4.0 * eps * w.norm() * u.norm(), "three rounded operations per component"},
+                {{-wanted,
+                  "the signs are those of the transpose, which gives u x w: change all signs"}});
   }
 }
 
@@ -75,5 +76,5 @@ TEST_CASE("skew neither loses nor overflows the smallest and the largest numbers
   const Mat3 none = skew(Vec3::Zero());
   Trial("1.1 skew")
       .given("w", Vec3(Vec3::Zero()))
-      .expect(none, Mat3(Mat3::Zero()), {0.0, "zero has no length"});
+      .expect(none, Mat3(Mat3::Zero()), {0.0, "the matrix of zero is zero"});
 }

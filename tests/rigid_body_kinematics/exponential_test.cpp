@@ -32,18 +32,19 @@ std::vector<tests::Suspect<Quat>> suspects_of_map(const Vec3& a) {
   const Quat exact = exact_exponential(a);
   const Vec3 swapped = a.normalized() * exact.w();
   const Vec3 long_axis = exact.vec() * a.norm();
-  return {
-      {exact_exponential(a, 1.0), "the whole angle is in the quaternion; it holds half of it"},
-      {exact_exponential(-a), "it turns the wrong way"},
-      {{exact.vec().norm(), swapped.x(), swapped.y(), swapped.z()}, "sine and cosine are swapped"},
-      {{exact.w(), long_axis.x(), long_axis.y(), long_axis.z()}, "the axis is a, not a/|a|"},
-      {{exact.x(), exact.y(), exact.z(), exact.w()},
-       "the order of the coefficients: Quat's constructor takes (w, x, y, z)"},
-      {{std::abs(exact.w()), exact.x(), exact.y(), exact.z()},
-       "the sign of the cosine is lost, as by a root of 1 - sin^2"},
-      {linear,
-       "the series is cut after the linear term: this is step 1.5 without its normalisation"},
-      {linear.normalized(), "this is the Euler step of 1.5, which turns by 2 atan(theta/2)"}};
+  return {{exact_exponential(a, 1.0), "the whole angle is in the quaternion: use half the angle"},
+          {exact_exponential(-a), "it turns the wrong way: use a, not -a"},
+          {{exact.vec().norm(), swapped.x(), swapped.y(), swapped.z()},
+           "sine and cosine are swapped: the cosine is the real part"},
+          {{exact.w(), long_axis.x(), long_axis.y(), long_axis.z()},
+           "the axis is a: divide a by its length"},
+          {{exact.x(), exact.y(), exact.z(), exact.w()},
+           "the coefficients are in the wrong order: Quat's constructor takes (w, x, y, z)"},
+          {{std::abs(exact.w()), exact.x(), exact.y(), exact.z()},
+           "the sign of the cosine is lost, as in a root of 1 - sin^2: use std::cos"},
+          {linear, "the series is cut after the linear term, as in step 1.5: use sine and cosine"},
+          {linear.normalized(),
+           "this is the Euler step of 1.5, which turns by 2 atan(theta/2): use sine and cosine"}};
 }
 
 Trial map_trial(const Vec3& a, int index = 1, int count = 1) {
@@ -60,14 +61,18 @@ Trial exponential_trial(const Quat& q, const Vec3& omega, double dt, int index =
 std::vector<tests::Suspect<Quat>> suspects_of_step(const Quat& q, const Vec3& omega, double dt) {
   const Vec3 a = omega * dt;
   const Quat linear(1.0, 0.5 * a.x(), 0.5 * a.y(), 0.5 * a.z());
-  return {{product(q, exact_exponential(a)),
-           "the turn stands on the right of q: that is for an omega in the body frame"},
-          {product(exact_exponential(-a), q), "it turns the wrong way"},
-          {product(exact_exponential(omega), q), "dt is missing"},
-          {q, "nothing turns: small spins are thrown away by a guard that is too wide"},
-          {product(linear.normalized(), q),
-           "this is the Euler step of 1.5, which turns by 2 atan(theta/2)"},
-          {exact_exponential(a), "q is missing: only this step's turn is returned"}};
+  return {
+      {product(q, exact_exponential(a)),
+       "the turn stands on the right of q, which suits omega in the body frame: put it on the "
+       "left"},
+      {product(exact_exponential(-a), q), "it turns the wrong way: use omega dt, not -omega dt"},
+      {product(exact_exponential(omega), q), "dt is missing: multiply omega by dt"},
+      {q,
+       "nothing turns: small spins are dropped by a guard that is too wide; test only for exactly "
+       "zero"},
+      {product(linear.normalized(), q),
+       "this is the Euler step of 1.5, which turns by 2 atan(theta/2): use exponential_map"},
+      {exact_exponential(a), "q is missing: multiply this step's turn by q"}};
 }
 
 }  // namespace
@@ -105,11 +110,12 @@ TEST_CASE("Small angles keep all their digits", "[1.6]") {
     trial.expect(
         Vec3(got.vec()), Vec3(wanted.vec()),
         {8.0 * eps * 0.5 * angle, "a few roundings, each relative to the small angle itself"},
-        {{Vec3(Vec3::Zero()),
-          angle > 1e-150 || angle < 1e-168
-              ? "small angles are thrown away: the guard for zero is too wide"
-              : "the length underflows: norm() squares, and 1e-162 squared is 0"},
-         {Vec3(a), "the whole angle is in the quaternion; it holds half of it"}});
+        {{Vec3(Vec3::Zero()), angle > 1e-150 || angle < 1e-168
+                                  ? "small angles are dropped: the guard for zero is too wide, so "
+                                    "test only for exactly zero"
+                                  : "the length underflows, because norm() squares and 1e-162 "
+                                    "squared is 0: use std::hypot"},
+         {Vec3(a), "the whole angle is in the quaternion: use half the angle"}});
     trial.expect(got.w(), wanted.w(), {2.0 * eps, "a cosine near 1"});
   }
 }
@@ -129,7 +135,7 @@ TEST_CASE("Up to 1e300 every turn is a unit quaternion", "[1.6]") {
           .expect_small("||q| - 1|", std::abs(turn.norm() - 1.0), {8.0 * eps, "to an ulp"});
       map_trial(skewed, index, 24)
           .expect_small("|axis x a|/|a|", turn.vec().cross(Vec3(0.48, 0.6, 0.64)).norm(),
-                        {8.0 * eps, "it turns about a"});
+                        {8.0 * eps, "the axis is a"});
     }
   }
 }
@@ -175,10 +181,12 @@ TEST_CASE("However slow the spin a step turns by it", "[1.6]") {
     if (q.w() < 0.0) q.coeffs() *= -1.0;
     exponential_trial(Quat::Identity(), omega, 0.5)
         .of("the vector part")
-        .expect(Vec3(q.vec()), Vec3(0.25 * omega),
-                {8.0 * eps * speed * 1.75 + std::pow(speed, 3) * 8.0,
-                 "a few roundings relative to itself; sin t = t but for t^3/6"},
-                {{Vec3(Vec3::Zero()), "small spins are thrown away by a guard that is too wide"}});
+        .expect(
+            Vec3(q.vec()), Vec3(0.25 * omega),
+            {8.0 * eps * speed * 1.75 + std::pow(speed, 3) * 8.0,
+             "a few roundings relative to the vector; sin t = t up to t^3/6"},
+            {{Vec3(Vec3::Zero()),
+              "small spins are dropped by a guard that is too wide: test only for exactly zero"}});
   }
 }
 
@@ -258,5 +266,5 @@ TEST_CASE("Sampled once a turn of omega the midpoint rule sees a constant spin",
   exponential_trial(start, sampled, dt)
       .expect_small("1 - angle to the true attitude",
                     1.0 - common::angle_between(q, attitude(motion, 5.0 * dt)),
-                    {0.0, "the true attitude is elsewhere, by more than a radian"});
+                    {0.0, "the true attitude differs by more than a radian"});
 }

@@ -14,10 +14,11 @@ Mat3 rounded(const tests::Mat3L& m) { return m.cast<double>(); }
 
 std::vector<tests::Suspect<Mat3>> suspects_of_inertia(const Mat3& I0, const Quat& q) {
   const Mat3 R = rounded(tests::matrix_of(q));
-  return {{R.transpose() * I0 * R, "the turn goes the wrong way: R^T I0 R"},
-          {I0, "the body's inertia is used as the world's: the turn is missing"},
-          {R * I0, "turned from one side only: R I0"},
-          {I0 * R.transpose(), "turned from one side only: I0 R^T"}};
+  return {
+      {R.transpose() * I0 * R, "the turn goes the wrong way: R^T I0 R instead of R I0 R^T"},
+      {I0, "the body's inertia is used as the world's: turn it, R I0 R^T"},
+      {R * I0, "the inertia is turned from one side only: multiply R I0 by R^T, too"},
+      {I0 * R.transpose(), "the inertia is turned from one side only: multiply I0 R^T by R, too"}};
 }
 
 std::vector<tests::Suspect<Vec3>> suspects_of_torque(const Vec3& center,
@@ -30,13 +31,14 @@ std::vector<tests::Suspect<Vec3>> suspects_of_torque(const Vec3& center,
     right += torques.back();
     about_origin += applied.point.cross(applied.force);
   }
-  return {{-right, "the cross product is the wrong way round: f x r"},
-          {about_origin, "the torque is about the world's origin: p where p - x belongs"},
-          {torques.back(), "only the last force counts: = where += belongs"},
-          {torques[forces.empty() ? 0 : 1], "only the first force counts"},
-          {right - torques.back(), "the last force is left out"},
-          {right - torques[forces.empty() ? 0 : 1], "the first force is left out"},
-          {Vec3::Zero(), "no force makes a torque"}};
+  return {{-right, "the cross product is the wrong way round: f x r instead of r x f"},
+          {about_origin, "the torque is about the world's origin: use p - x, not p"},
+          {torques.back(), "only the last force counts: use += in the loop, not ="},
+          {torques[forces.empty() ? 0 : 1], "only the first force counts: add up all forces"},
+          {right - torques.back(), "the last force is left out: let the loop go to the end"},
+          {right - torques[forces.empty() ? 0 : 1],
+           "the first force is left out: start the loop at index 0"},
+          {Vec3::Zero(), "no force makes a torque: add r x f of each force, however small"}};
 }
 
 Trial wrench_trial(const Vec3& center, const std::vector<AppliedForce>& forces, int index = 1,
@@ -55,11 +57,14 @@ void expect_wrench(const Trial& trial, const Wrench& got, const Wrench& wanted, 
                    const Vec3& center) {
   std::vector<tests::Suspect<Vec3>> suspects_of_force;
   if (!forces.empty()) {
-    suspects_of_force = {{forces.back().force, "only the last force counts: = where += belongs"},
-                         {forces.front().force, "only the first force counts"},
-                         {wanted.force - forces.back().force, "the last force is left out"},
-                         {wanted.force - forces.front().force, "the first force is left out"},
-                         {Vec3::Zero(), "no force is added up"}};
+    suspects_of_force = {
+        {forces.back().force, "only the last force counts: use += in the loop, not ="},
+        {forces.front().force, "only the first force counts: add up all forces"},
+        {wanted.force - forces.back().force,
+         "the last force is left out: let the loop go to the end"},
+        {wanted.force - forces.front().force,
+         "the first force is left out: start the loop at index 0"},
+        {Vec3::Zero(), "no force is added up: add each force, however small"}};
   }
   trial.of("the force")
       .expect(got.force, wanted.force, {force_bound, "a few additions, in any order"},

@@ -12,7 +12,7 @@ using tests::Trial;
 namespace {
 
 const std::string repaired_already =
-    "the result is repaired already: nearest_rotation does that, not this step";
+    "the result is repaired already: leave that to nearest_rotation";
 
 Mat3 cross_matrix(const Vec3& w) {
   return Mat3{{0.0, -w.z(), w.y()}, {w.z(), 0.0, -w.x()}, {-w.y(), w.x(), 0.0}};
@@ -22,13 +22,14 @@ std::vector<tests::Suspect<Mat3>> suspects_of_step(const Mat3& R, const Vec3& om
   const Mat3 W = cross_matrix(omega);
   const double angle = omega.norm() * dt;
   const Mat3 exact = tests::rotation(angle, omega.normalized()).toRotationMatrix() * R;
-  return {{R + dt * R * W, "[omega]x stands on the right: that is for an omega in the body frame"},
-          {R - dt * W * R, "it turns the wrong way: the transpose of [omega]x"},
-          {R + dt * W, "R is missing behind [omega]x"},
-          {dt * W * R, "only the change is returned: R + is missing"},
-          {R + W * R, "dt is missing"},
-          {R, "nothing turns: the change is not added, or small spins are thrown away"},
-          {exact, "this is the exact turn of step 1.6; this step asks for plain Euler"}};
+  return {{R + dt * R * W,
+           "[omega]x stands on the right, which suits omega in the body frame: put it on the left"},
+          {R - dt * W * R, "it turns the wrong way: use [omega]x, not its transpose"},
+          {R + dt * W, "R is missing: multiply [omega]x by R"},
+          {dt * W * R, "only the change is returned: R + is missing, so add R"},
+          {R + W * R, "dt is missing: multiply omega by dt"},
+          {R, "nothing turns: add the change, however slow the spin"},
+          {exact, "this is the exact turn of step 1.6: return the plain Euler step"}};
 }
 
 Trial step_trial(const Mat3& R, const Vec3& omega, double dt, int index = 1, int count = 1) {
@@ -88,8 +89,11 @@ TEST_CASE("However slow the spin the matrix changes by it", "[1.4]") {
     const Mat3 next = step_matrix_euler(R, omega, 0.5);
     const Vec3 got(next(2, 1), next(0, 2), next(1, 0));
     step_trial(R, omega, 0.5)
-        .expect(got, Vec3(0.5 * omega), {4.0 * eps * speed * 3.5, "a product, relative to itself"},
-                {{Vec3(Vec3::Zero()), "small spins are thrown away by a guard that is too wide"}});
+        .expect(
+            got, Vec3(0.5 * omega),
+            {4.0 * eps * speed * 3.5, "a product, relative to its own size"},
+            {{Vec3(Vec3::Zero()),
+              "small spins are dropped by a guard that is too wide: test only for exactly zero"}});
   }
 }
 
@@ -113,7 +117,7 @@ TEST_CASE("Each Euler step swells R across omega by sqrt of 1 plus theta squared
           .given("dt", x)
           .given("steps", static_cast<double>(steps))
           .expect(departure(R), std::sqrt(2.0) * swell,
-                  {32.0 * eps * steps * (1.0 + swell), "each step rounds |R| by some ulp"},
+                  {32.0 * eps * steps * (1.0 + swell), "each step rounds |R| by a few ulp"},
                   {{0.0, repaired_already}});
       Trial("1.4 step_matrix_euler")
           .given("angular_velocity", axis)
@@ -121,7 +125,7 @@ TEST_CASE("Each Euler step swells R across omega by sqrt of 1 plus theta squared
           .expect(
               Vec3(R * axis), axis,
               {16.0 * eps * steps * std::sqrt(1.0 + swell),
-               "omega x omega = 0: the axis keeps its length, but for roundings of the size of R"});
+               "omega x omega = 0, so the axis keeps its length up to roundings of the size of R"});
     }
   }
 }
@@ -136,6 +140,6 @@ TEST_CASE("The swelling passes one per cent where the formula says", "[1.4]") {
   const Trial trial = Trial("1.4 step_matrix_euler").given("dt * angular_velocity", 0.01);
   trial.expect_small("|R^T R - 1| at 0.9 of the threshold", before, {0.01, "the closed form"});
   trial.expect_small("0.01 - |R^T R - 1| at 1.1 of the threshold", 0.01 - after,
-                     {0.0, "the closed form: here it has left one per cent behind"},
+                     {0.0, "by the closed form it is above one per cent here"},
                      after < 32.0 * eps * threshold ? repaired_already : "");
 }

@@ -14,7 +14,7 @@ using tests::Trial;
 namespace {
 
 const std::string a_reflection =
-    "a reflection: where the determinant of U V^T is -1, it must be mended";
+    "this is a reflection: if the determinant of U V^T is -1, flip the last column of U";
 
 bool is_reflection(const Mat3& Q) { return std::abs(Q.determinant() + 1.0) < 32.0 * eps; }
 
@@ -46,14 +46,17 @@ std::vector<tests::Suspect<Mat3>> suspects_of(const Known& known) {
   return {
       {with_signs(1, 1, -1), a_reflection},
       {with_signs(-1, 1, -1),
-       "the direction of the greatest singular value gives way, not the least"},
-      {with_signs(-1, -1, 1), "the sign of the whole matrix is turned, not of one direction"},
-      {gram_schmidt(A), "this is Gram-Schmidt: a rotation, but not the nearest"},
+       "the direction of the greatest singular value is flipped: flip that of the least"},
+      {with_signs(-1, -1, 1),
+       "the sign of the whole matrix is changed: change that of one direction"},
+      {gram_schmidt(A),
+       "this is Gram-Schmidt, which gives a rotation but not the nearest: use the SVD"},
       {gram_schmidt(A.transpose()).transpose(),
-       "this is Gram-Schmidt on the rows: a rotation, but not the nearest"},
-      {A.colwise().normalized(), "only the columns' lengths are mended, not the angles between"},
-      {with_signs(-1, -1, -1), "the whole result has the wrong sign"},
-      {A, "nothing is mended"}};
+       "this is Gram-Schmidt on the rows, which gives a rotation but not the nearest: use the SVD"},
+      {A.colwise().normalized(),
+       "only the columns' lengths are corrected, not the angles between them: use the SVD"},
+      {with_signs(-1, -1, -1), "the whole result has the wrong sign: the determinant must be +1"},
+      {A, "the matrix is returned as it is: return U V^T of its SVD"}};
 }
 
 /// The answer moves by a few ulp of |A| over the gap by which the nearest rotation is determined.
@@ -128,14 +131,14 @@ TEST_CASE("No rotation is nearer than the one returned", "[1.4]") {
     const Mat3 got = nearest_rotation(A);
     const Trial trial = Trial("1.4 nearest_rotation", i, 10).given("matrix", A);
     trial.expect_small("|Q^T Q - 1|", (got.transpose() * got - Mat3::Identity()).norm(),
-                       {32.0 * eps, "orthogonal to rounding"});
+                       {32.0 * eps, "orthogonal up to rounding"});
     double nearest = (got - A).norm();
     for (int k = 0; k < 500; ++k) {
       const double angle = std::pow(10.0, random.uniform(-3.0, 0.5));
       const Mat3 other = tests::rotation(angle, random.direction()).toRotationMatrix() * got;
       nearest = std::min(nearest, (other - A).norm());
     }
-    trial.expect_small("distance beyond that of a nearer rotation", (got - A).norm() - nearest,
+    trial.expect_small("distance minus that of a nearer rotation", (got - A).norm() - nearest,
                        {32.0 * eps * A.norm(), "500 other rotations, near and far"});
     trial.expect_small("|det - 1|", std::abs(got.determinant() - 1.0), {32.0 * eps, "a rotation"},
                        is_reflection(got) ? a_reflection : "");
@@ -159,11 +162,11 @@ TEST_CASE("Where several rotations are nearest it is one of them or an error", "
       continue;
     }
     trial.expect_small("|Q^T Q - 1|", (got.transpose() * got - Mat3::Identity()).norm(),
-                       {32.0 * eps, "orthogonal to rounding"});
+                       {32.0 * eps, "orthogonal up to rounding"});
     trial.expect_small("|det - 1|", std::abs(got.determinant() - 1.0), {32.0 * eps, "a rotation"},
                        is_reflection(got) ? a_reflection : "");
     trial.expect_small(
-        "|Q - A| beyond the least", (got - A).norm() - std::sqrt(least_squared),
+        "|Q - A| minus the least", (got - A).norm() - std::sqrt(least_squared),
         {64.0 * eps * (1.0 + A.norm()), "the singular values give the least distance"});
   }
 }
@@ -193,11 +196,13 @@ TEST_CASE("A projected Euler step turns by the arc tangent of theta about any ax
         .given("theta", x)
         .given("axis", a)
         .given("matrix", swollen)
-        .expect(nearest_rotation(swollen), wanted, determined(as_built),
-                {{gram_schmidt(swollen), "this is Gram-Schmidt: a rotation, but not the nearest"},
-                 {swollen.colwise().normalized(),
-                  "only the columns' lengths are mended, not the angles between"},
-                 {tests::rotation(x, a).toRotationMatrix(),
-                  "this is the exact turn by theta; the projection only turns by atan theta"}});
+        .expect(
+            nearest_rotation(swollen), wanted, determined(as_built),
+            {{gram_schmidt(swollen),
+              "this is Gram-Schmidt, which gives a rotation but not the nearest: use the SVD"},
+             {swollen.colwise().normalized(),
+              "only the columns' lengths are corrected, not the angles between them: use the SVD"},
+             {tests::rotation(x, a).toRotationMatrix(),
+              "this is the exact turn by x: project the matrix, which turns only by atan x"}});
   }
 }

@@ -12,7 +12,7 @@ using tests::Trial;
 
 namespace {
 
-const std::string half_is_zero = "nothing turns: 1/2 is 0 in whole numbers";
+const std::string half_is_zero = "nothing turns, because 1/2 is 0 in whole numbers: write 0.5";
 
 Quat pure(const Vec3& v) { return {0.0, v.x(), v.y(), v.z()}; }
 
@@ -24,22 +24,24 @@ std::vector<tests::Suspect<Quat>> suspects_of(const Quat& q, const Vec3& omega, 
   const Quat left = product(pure(omega), q);
   const Quat right = product(q, pure(omega));
   const double x = omega.norm() * dt;
-  return {{sum(q, dt, left).normalized(), "the factor 1/2 is missing: it turns twice as far"},
-          {sum(q, 0.5 * dt, right).normalized(),
-           "omega stands on the right of q: that is for an omega in the body frame"},
-          {sum(q, 0.5 * dt, left), "the quaternion is not normalised"},
-          {sum(q, 0.5, left).normalized(), "dt is missing"},
-          {sum(q, 0.5 * dt, product(pure(omega), sum(q, 0.25 * dt, left))).normalized(),
-           "this is the midpoint rule; this step asks for plain Euler"},
-          {q, half_is_zero},
-          {sum(q, -0.5 * dt, left).normalized(), "it turns the wrong way: the sign of omega"},
-          {sum(q, 0.5 * dt, pure(omega)).normalized(), "q is missing behind omega"},
-          {sum(q, 0.5 * dt, product({omega.x(), omega.y(), omega.z(), 0.0}, q)).normalized(),
-           "the order of the coefficients: Quat's constructor takes (w, x, y, z)"},
-          {sum(q, 0.5 * dt, product({omega.z(), 0.0, omega.x(), omega.y()}, q)).normalized(),
-           "the order of the coefficients: a Vector4d for Quat is (x, y, z, w)"},
-          {product(tests::rotation(x, omega.normalized()), q),
-           "this is the exact turn of step 1.6; this step asks for Euler"}};
+  return {
+      {sum(q, dt, left).normalized(),
+       "the factor 1/2 is missing, so it turns twice as far: multiply by 0.5"},
+      {sum(q, 0.5 * dt, right).normalized(),
+       "omega stands on the right of q, which suits omega in the body frame: put it on the left"},
+      {sum(q, 0.5 * dt, left), "the quaternion is not normalised: divide it by its length"},
+      {sum(q, 0.5, left).normalized(), "dt is missing: multiply omega by dt"},
+      {sum(q, 0.5 * dt, product(pure(omega), sum(q, 0.25 * dt, left))).normalized(),
+       "this is the midpoint rule: return the plain Euler step"},
+      {q, half_is_zero},
+      {sum(q, -0.5 * dt, left).normalized(), "it turns the wrong way: change the sign of omega"},
+      {sum(q, 0.5 * dt, pure(omega)).normalized(), "q is missing: multiply omega by q"},
+      {sum(q, 0.5 * dt, product({omega.x(), omega.y(), omega.z(), 0.0}, q)).normalized(),
+       "the coefficients are in the wrong order: Quat's constructor takes (w, x, y, z)"},
+      {sum(q, 0.5 * dt, product({omega.z(), 0.0, omega.x(), omega.y()}, q)).normalized(),
+       "the coefficients are in the wrong order: a Vector4d for Quat is (x, y, z, w)"},
+      {product(tests::rotation(x, omega.normalized()), q),
+       "this is the exact turn of step 1.6: return the Euler step"}};
 }
 
 Trial step_trial(const Quat& q, const Vec3& omega, double dt, int index = 1, int count = 1) {
@@ -52,8 +54,9 @@ Trial step_trial(const Quat& q, const Vec3& omega, double dt, int index = 1, int
 /// Why an attitude stays where the spin is slow: if it does where the spin is not, it is no guard.
 std::string why_nothing_turns() {
   const Quat q = step_quaternion_euler(Quat::Identity(), {2.0, 3.0, 6.0}, 0.25);
-  return q.vec().isZero() ? half_is_zero
-                          : "small spins are thrown away by a guard that is too wide";
+  return q.vec().isZero()
+             ? half_is_zero
+             : "small spins are dropped by a guard that is too wide: test only for exactly zero";
 }
 
 /// How far a step of x = omega dt about z lags behind x, as a fraction of x.
@@ -104,13 +107,14 @@ TEST_CASE("The attitude stays a unit quaternion over many steps", "[1.5]") {
     const Quat before = q;
     q = step_quaternion_euler(q, omega, 0.1);
     step_trial(before, omega, 0.1, i, 200)
-        .expect_small("||q| - 1| beyond that of the step before",
+        .expect_small("||q| - 1| minus that of the step before",
                       std::abs(q.norm() - 1.0) - std::abs(before.norm() - 1.0),
-                      {4.0 * eps, "normalised to a few ulp"}, "the quaternion is not normalised");
+                      {4.0 * eps, "normalised to a few ulp"},
+                      "the quaternion is not normalised: divide it by its length");
     if (i == 1) {
       step_trial(before, omega, 0.1)
           .expect_small("0.01 - angle turned", 0.01 - common::angle_between(before, q),
-                        {0.0, "a unit quaternion that never turns is no step"});
+                        {0.0, "a unit quaternion that never turns is not a step"});
     }
   }
 }
@@ -132,7 +136,7 @@ TEST_CASE("However slow the spin the quaternion turns by it", "[1.5]") {
         .of("the vector part")
         .expect(Vec3(q.vec()), Vec3(0.25 * omega),
                 {8.0 * eps * speed * 1.75 + 0.5 * std::pow(speed, 3) * 8.0,
-                 "a few roundings relative to itself, and the length that (10) divides by"},
+                 "a few roundings relative to the vector, and the length that (10) divides by"},
                 {{Vec3(Vec3::Zero()), why_nothing_turns()}});
   }
 }
@@ -146,7 +150,8 @@ TEST_CASE("A quaternion step turns by twice the arc tangent of theta over 2", "[
     step_trial(Quat::Identity(), axis, x, ++index, 7)
         .expect(common::angle_between(Quat::Identity(), q), 2.0 * std::atan(0.5 * x),
                 {16.0 * eps, "a few roundings; the angle is read without cancellation"},
-                {{2.0 * std::atan(x), "the factor 1/2 is missing: it turns twice as far"}});
+                {{2.0 * std::atan(x),
+                  "the factor 1/2 is missing, so it turns twice as far: multiply by 0.5"}});
   }
 }
 
@@ -170,7 +175,8 @@ TEST_CASE("At any size of omega and of dt a quaternion step turns by their produ
                 sum(Quat::Identity(), 0.125, pure({2.0, 3.0, 6.0})).normalized(),
                 {8.0 * eps, "omega dt is (1/2, 3/4, 3/2)"},
                 {{Quat::Identity(), size < 1.0 ? why_nothing_turns() : half_is_zero},
-                 {sum(Quat::Identity(), 0.5, pure(omega)).normalized(), "dt is missing"}});
+                 {sum(Quat::Identity(), 0.5, pure(omega)).normalized(),
+                  "dt is missing: multiply omega by dt"}});
   }
 }
 
@@ -187,7 +193,7 @@ TEST_CASE("The lag passes one per cent where the formula says", "[1.5]") {
   trial.expect_small("lag at 0.9 of the threshold", std::abs(lag(0.9 * low)),
                      {0.01, "the closed form"});
   trial.expect_small("0.01 - lag at 1.1 of the threshold", 0.01 - lag(1.1 * low),
-                     {0.0, "the closed form: here the lag is above one per cent"});
+                     {0.0, "by the closed form the lag is above one per cent here"});
 }
 
 TEST_CASE("Euler on the quaternion converges with order one on a coning motion", "[1.5]") {

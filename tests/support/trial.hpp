@@ -116,8 +116,8 @@ class Trial : private UnderWay {
     } catch (const common::NotImplemented&) {
       throw;
     } catch (const std::exception& error) {
-      explain(std::string("an exception: ") + error.what(), "a value", "there is an answer", "",
-              {});
+      explain(std::string("an exception: ") + error.what(), "a value", "this input has an answer",
+              "", {});
       throw;
     }
   }
@@ -129,7 +129,7 @@ class Trial : private UnderWay {
                     const std::string& likely = "") const {
     try {
       const auto got = call();
-      const std::string wanted = "an exception, since " + why;
+      const std::string wanted = "an exception, because " + why;
       const std::string error =
           is_finite(got) ? "nothing is thrown" : "not finite, and nothing is thrown";
       explain(text(got), wanted, error, "", named(likely));
@@ -147,8 +147,8 @@ class Trial : private UnderWay {
 
  private:
   static constexpr const char* not_finite =
-      "not finite: NaN and infinity are never right here; vectors and matrices are NaN until they "
-      "are set";
+      "not finite: NaN and infinity are never right here; vectors and matrices stay NaN until "
+      "you set them";
 
   template <typename Value>
   void keep(const std::string& name, const Value& value) {

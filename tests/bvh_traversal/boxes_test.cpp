@@ -189,7 +189,7 @@ TEST_CASE("Boxes apart along two axes or all three do not overlap", "[5.1]") {
   }
 }
 
-TEST_CASE("Boxes touch or are apart by the last bit at rounded places", "[5.1]") {
+TEST_CASE("At rounded places the last bit decides whether boxes touch", "[5.1]") {
   tests::Random random(5);
   for (int i = 1; i <= 200; ++i) {
     const Box a = random_box(random);
@@ -242,7 +242,7 @@ TEST_CASE("A flat box has two faces and a line or an empty box has none", "[5.1]
       .expect(surface_area(Box{}), 0.0, {0.0, "an empty box has no surface"});
 }
 
-TEST_CASE("The surface of random bricks holds to a few ulp", "[5.1]") {
+TEST_CASE("The surface of random bricks is right to a few ulp", "[5.1]") {
   tests::Random random(4);
   for (int i = 1; i <= 100; ++i) {
     const double size = sizes[static_cast<std::size_t>(i) % sizes.size()];

@@ -37,7 +37,7 @@ TEST_CASE("A leaf that is bigger ends the first version at once", "[5.3]") {
   expect_first(row(1, 8.0, 0.0), row(2, 1.0, 2.0), 1, 1, 1);
 }
 
-TEST_CASE("Two leaves end the first version and nothing tells what to do with them", "[5.3]") {
+TEST_CASE("Two leaves end the first version", "[5.3]") {
   expect_first(row(1, 2.0, 0.0), row(1, 1.0, 0.0), 1, 1, 2);
   expect_first(row(1, 1.0, 0.0), row(1, 1.0, 0.0), 1, 2, 2);
 }
@@ -51,7 +51,7 @@ TEST_CASE("Roots that are apart end the first version without an end", "[5.3]") 
               tests::tree_of(far, 1));
 }
 
-TEST_CASE("The first version ends where its words run out on random soups", "[5.3]") {
+TEST_CASE("The first version ends where the pseudocode has no rule on random soups", "[5.3]") {
   tests::Random random(31);
   for (int i = 1; i <= 60; ++i) {
     const int n = static_cast<int>(random.uniform(1.0, 30.0));

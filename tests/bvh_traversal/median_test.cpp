@@ -149,7 +149,7 @@ TEST_CASE("Any number of triangles fits any size of leaf", "[5.2]") {
   expect_median(tests::soup(random, 3, 9), std::numeric_limits<int>::max(), 1, 1);
 }
 
-TEST_CASE("Triangles of one centroid are halved all the same", "[5.2]") {
+TEST_CASE("Triangles with a common centroid are halved as well", "[5.2]") {
   expect_median(copies({Vec3(1, 0, 0), Vec3(0, 2, 0), Vec3(0, 0, 4)}, 1000), 1, 1, 3);
   expect_median(copies({Vec3(1, 2, 3), Vec3(1, 2, 3), Vec3(1, 2, 3)}, 513), 4, 2, 3);
   // One centroid, triangles of all sizes about it.
@@ -164,7 +164,7 @@ TEST_CASE("Triangles of one centroid are halved all the same", "[5.2]") {
   expect_median(nested, 2, 3, 3);
 }
 
-TEST_CASE("Clusters and a huge triangle make the tree no deeper", "[5.2]") {
+TEST_CASE("Clusters and a huge triangle do not make the tree deeper", "[5.2]") {
   expect_median(common::clusters(2000), 2, 1, 3);
   expect_median(common::with_huge_triangle(common::bumpy_sphere(300)), 2, 2, 3);
   expect_median(common::diagonal_slivers(500), 2, 3, 3);
@@ -185,7 +185,7 @@ TEST_CASE("The work of a build grows as n log n", "[5.2]") {
   }
 }
 
-TEST_CASE("A large mesh is built at once", "[5.2]") {
+TEST_CASE("The tree of a large mesh is built quickly", "[5.2]") {
   // Twenty times what the last took, and a little: a list that is copied at each cut, or as long as
   // the mesh, takes 400 times as much and comes to no end.
   const common::TriangleMesh mesh = common::bumpy_torus(120000);
@@ -194,6 +194,6 @@ TEST_CASE("A large mesh is built at once", "[5.2]") {
   tests::expect_structure(trial, bvh, mesh, 1);
 }
 
-TEST_CASE("A mesh that is broken or leaves below one are refused", "[5.2]") {
+TEST_CASE("A broken mesh or a leaf size below one is refused", "[5.2]") {
   tests::expect_refusals("5.2 build_median", build_median);
 }

@@ -92,7 +92,7 @@ TEST_CASE("A quarter turn brings two triangles together", "[5.7]") {
   CHECK(expect_moved(a, b, a_from_b, 1, 2, 2) == 0);
 }
 
-TEST_CASE("Without a motion the pairs are those at rest", "[5.7]") {
+TEST_CASE("Without a motion the pairs are those of the meshes at rest", "[5.7]") {
   tests::Random random(81);
   for (int i = 1; i <= 20; ++i) {
     expect_moved(tests::soup(random, 8, 3), tests::soup(random, 8, 3), {}, 2, i, 20);
@@ -120,7 +120,7 @@ TEST_CASE("Smooth meshes under random motions give the pairs of brute force", "[
   }
 }
 
-TEST_CASE("Long triangles are not lost where boxes are turned", "[5.7]") {
+TEST_CASE("Long triangles are not lost when boxes are turned", "[5.7]") {
   // A box that is moved by two of its corners alone misses what its other corners reach.
   tests::Random random(84);
   for (int i = 1; i <= 40; ++i) {
@@ -139,7 +139,7 @@ TEST_CASE("Long triangles are not lost where boxes are turned", "[5.7]") {
   }
 }
 
-TEST_CASE("Moved corners that touch by rounding are compared as they are rounded", "[5.7]") {
+TEST_CASE("Moved corners that touch only by rounding are compared as rounded", "[5.7]") {
   // Corners of a at the rounded places of corners of b: they meet in one point, on the faces of all
   // boxes, so that a moved box needs its margin: for what is rounded where b is, on the way, and
   // where it arrives.

@@ -113,7 +113,7 @@ void expect_refit(const TriangleMesh& mesh, const TriangleMesh& deformed, std::s
 
 }  // namespace
 
-TEST_CASE("A mesh that is stretched has a tree that is stretched", "[5.7]") {
+TEST_CASE("A stretched mesh gets a stretched tree", "[5.7]") {
   const TriangleMesh mesh = common::bumpy_torus(100);
   expect_refit(mesh, common::scaled(mesh, Vec3(2.0, 0.5, 1.0), Vec3(3.0, 0.0, 0.0)), 4, 1, 1);
 }
@@ -128,14 +128,14 @@ TEST_CASE("A refit holds a mesh whose vertices are all moved at random", "[5.7]"
   }
 }
 
-TEST_CASE("A refit shrinks with the mesh and of one leaf is that leaf", "[5.7]") {
+TEST_CASE("A refitted tree shrinks with the mesh even if it is one leaf", "[5.7]") {
   const TriangleMesh mesh = common::bumpy_sphere(48);
   const TriangleMesh small = common::scaled(mesh, Vec3::Constant(0.25));
   expect_refit(mesh, small, 2, 1, 2);
   expect_refit(mesh, small, 100, 2, 2);
 }
 
-TEST_CASE("A large mesh is refitted at once", "[5.7]") {
+TEST_CASE("The tree of a large mesh is refitted quickly", "[5.7]") {
   // A pass over the whole tree for each of its nodes looks at 2e10 nodes, and comes to no end.
   const TriangleMesh mesh = common::bumpy_torus(70000);
   const Bvh tree = tree_in_order_of(mesh);

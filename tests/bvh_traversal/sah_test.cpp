@@ -147,7 +147,7 @@ common::TriangleMesh uneven_soup(tests::Random& random, int triangles) {
 
 }  // namespace
 
-TEST_CASE("A cluster is parted from what is far off", "[5.6]") {
+TEST_CASE("A cluster is separated from triangles far off", "[5.6]") {
   // Nine small triangles near the origin and one far away: half and half would stretch a box.
   common::TriangleMesh mesh;
   for (int i = 0; i < 10; ++i) {
@@ -191,7 +191,7 @@ TEST_CASE("Meshes of any size are cut alike by the heuristic", "[5.6]") {
   }
 }
 
-TEST_CASE("Where no plane parts the centroids the triangles are halved", "[5.6]") {
+TEST_CASE("If no plane separates the centroids the triangles are halved", "[5.6]") {
   const std::vector<std::array<std::uint32_t, 3>> many(700, {0, 1, 2});
   const common::TriangleMesh same{{Vec3(1, 0, 0), Vec3(0, 2, 0), Vec3(0, 0, 4)}, many};
   const common::TriangleMesh points{{Vec3(1, 2, 3), Vec3(1, 2, 3), Vec3(1, 2, 3)}, many};
@@ -207,19 +207,19 @@ TEST_CASE("Where no plane parts the centroids the triangles are halved", "[5.6]"
   }
 }
 
-TEST_CASE("Clusters that halve in size do not drive the tree below its limit", "[5.6]") {
+TEST_CASE("Clusters that halve in size do not make the tree deeper than its limit", "[5.6]") {
   // Each plane parts off a few clusters only; from depth 32 on halving bounds the depth.
   expect_sah(common::clusters(16 * 150), 1, 2, 1, 2);
   expect_sah(common::clusters(16 * 150), 2, 3, 2, 2);
 }
 
-TEST_CASE("A huge triangle and slivers still give a tree", "[5.6]") {
+TEST_CASE("A huge triangle and very thin ones still give a tree", "[5.6]") {
   expect_sah(common::with_huge_triangle(common::bumpy_sphere(300)), 2, 16, 1, 3);
   expect_sah(common::diagonal_slivers(200), 2, 16, 2, 3);
   expect_sah(common::flat_grid(9), 3, 7, 3, 3);
 }
 
-TEST_CASE("A broken mesh or leaves below one or a single bin are refused", "[5.6]") {
+TEST_CASE("A broken mesh or a leaf size below one or a single bin is refused", "[5.6]") {
   tests::expect_refusals("5.6 build_sah", [](const common::TriangleMesh& mesh, int leaf_size) {
     return build_sah(mesh, leaf_size, 16);
   });

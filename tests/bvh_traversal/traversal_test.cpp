@@ -25,7 +25,7 @@ TEST_CASE("A bigger leaf does not stop the complete version", "[5.4]") {
   expect_complete(row(2, 1.0, 2.0), row(1, 8.0, 0.0), 1, 2, 2);
 }
 
-TEST_CASE("Two roots that are leaves are an end where their boxes overlap", "[5.4]") {
+TEST_CASE("Two roots that are leaves are an end if their boxes overlap", "[5.4]") {
   expect_complete(row(1, 2.0, 0.0), row(1, 1.0, 0.0), 1, 1, 2);
   expect_complete(row(1, 2.0, 0.0), row(1, 1.0, 0.0), 9, 2, 2);
 }
@@ -36,11 +36,11 @@ TEST_CASE("Of two inner nodes the one with the larger surface is descended", "[5
   expect_complete(row(3, 5.0, 4.0), row(16, 1.0, 1.0), 1, 2, 2);
 }
 
-TEST_CASE("Boxes that only touch are gone on with", "[5.4]") {
+TEST_CASE("Nodes whose boxes only touch are descended", "[5.4]") {
   expect_complete(row(6, 1.0, 1.0), row(6, 1.0, 1.0), 1, 1, 1);
 }
 
-TEST_CASE("The complete version comes to all pairs of leaves on random soups", "[5.4]") {
+TEST_CASE("The complete version finds all pairs of leaves on random soups", "[5.4]") {
   tests::Random random(41);
   for (int i = 1; i <= 60; ++i) {
     const int n = static_cast<int>(random.uniform(1.0, 60.0));
@@ -50,7 +50,7 @@ TEST_CASE("The complete version comes to all pairs of leaves on random soups", "
   }
 }
 
-TEST_CASE("Only pairs of leaves whose boxes overlap are come to and none is missed", "[5.4]") {
+TEST_CASE("Only pairs of leaves whose boxes overlap are found and none is missed", "[5.4]") {
   tests::Random random(42);
   const common::TriangleMesh a = tests::spread(random, 100, 10);
   const common::TriangleMesh b = tests::spread(random, 100, 10);
@@ -69,13 +69,13 @@ TEST_CASE("Only pairs of leaves whose boxes overlap are come to and none is miss
   trial.expect(pairs_of(got.ends), wanted, tests::exactly);
 }
 
-TEST_CASE("A tree against itself comes to each of its leaves", "[5.4]") {
+TEST_CASE("A tree against itself finds each of its leaves", "[5.4]") {
   tests::Random random(43);
   const common::TriangleMesh mesh = tests::spread(random, 80, 9);
   expect_complete(mesh, mesh, 2, 1, 1);
 }
 
-TEST_CASE("Trees of any size are walked alike", "[5.4]") {
+TEST_CASE("Trees of any size are traversed alike", "[5.4]") {
   tests::Random random(44);
   const common::TriangleMesh mesh = tests::spread(random, 60, 9);
   int index = 0;
@@ -85,13 +85,13 @@ TEST_CASE("Trees of any size are walked alike", "[5.4]") {
   }
 }
 
-TEST_CASE("Large trees are walked at once", "[5.4]") {
+TEST_CASE("Large trees are traversed quickly", "[5.4]") {
   // Some hundred thousand pairs: a tree that is copied at each call comes to no end.
   const Bvh torus = tests::tree_of(common::bumpy_torus(6400), 1);
   expect_walk(traverse, true, Trial("5.4 traverse"), torus, torus);
 }
 
-TEST_CASE("A traversal does not grow as the product of the meshes", "[5.4]") {
+TEST_CASE("A traversal does not grow as the product of the sizes of the meshes", "[5.4]") {
   // Two rows of n triangles that meet in one place: depth² pairs of nodes at the most.
   for (const int n : {100, 1000}) {
     const common::TriangleMesh a = row(n, 1.0, 2.0);

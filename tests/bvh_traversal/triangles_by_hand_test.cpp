@@ -99,7 +99,7 @@ TEST_CASE("Neighbours that share a corner or an edge meet", "[5.5]") {
              true, touching);
 }
 
-TEST_CASE("Triangles in one plane meet where they overlap or touch", "[5.5]") {
+TEST_CASE("Triangles in one plane meet if they overlap or touch", "[5.5]") {
   expect_all({{floor_, floor_},
               {floor_, plus(floor_, Vec3(1, 1, 0))},
               {floor_, {Vec3(1, 1, 0), Vec3(2, 1, 0), Vec3(1, 2, 0)}},  // inside
@@ -123,7 +123,7 @@ TEST_CASE("Triangles in one plane that are apart do not meet", "[5.5]") {
       false, "");
 }
 
-TEST_CASE("A segment or a point meets what it has a point in common with", "[5.5]") {
+TEST_CASE("A segment or a point meets a triangle if they share a point", "[5.5]") {
   const auto segment = [](const Vec3& p, const Vec3& q) { return Triangle{p, 0.5 * (p + q), q}; };
   const auto point = [](const Vec3& p) { return Triangle{p, p, p}; };
   expect_all({{floor_, segment(Vec3(1, 1, -2), Vec3(1, 1, 2))},
@@ -143,7 +143,7 @@ TEST_CASE("A segment or a point meets what it has a point in common with", "[5.5
              true, without_plane);
 }
 
-TEST_CASE("A segment or a point that is beside does not meet", "[5.5]") {
+TEST_CASE("A segment or a point beside a triangle does not meet it", "[5.5]") {
   const auto segment = [](const Vec3& p, const Vec3& q) { return Triangle{p, 0.5 * (p + q), q}; };
   const auto point = [](const Vec3& p) { return Triangle{p, p, p}; };
   expect_all({{floor_, segment(Vec3(3, 3, -2), Vec3(3, 3, 2))},
@@ -160,7 +160,7 @@ TEST_CASE("A segment or a point that is beside does not meet", "[5.5]") {
              false, "");
 }
 
-TEST_CASE("A gap of the last bit is a gap", "[5.5]") {
+TEST_CASE("Triangles that are apart by the last bit do not meet", "[5.5]") {
   const double next = std::nextafter(1.0, 2.0);
   const Triangle at_one = plus(floor_, Vec3::UnitZ());
   Triangle above = at_one;

@@ -96,7 +96,7 @@ TEST_CASE("Rounded corners in a plane of two axes are decided exactly", "[5.5]")
   }
 }
 
-TEST_CASE("Segments of corners with all their digits are segments", "[5.5]") {
+TEST_CASE("Segments whose corners use all digits are still segments", "[5.5]") {
   // The corners are exact multiples of one vector, their differences are not.
   tests::Random random(56);
   for (int i = 1; i <= 300; ++i) {

@@ -144,7 +144,7 @@ TEST_CASE("Meshes in one tilted plane give the pairs of brute force", "[5.5]") {
   }
 }
 
-TEST_CASE("A gap however small gives no pair", "[5.5]") {
+TEST_CASE("Meshes with a very small gap give no pair", "[5.5]") {
   const TriangleMesh grid = common::flat_grid(8);
   const TriangleMesh raised = common::scaled(grid, Vec3::Ones(), Vec3(0.3, 0.2, 1.0));
   int index = 0;
@@ -154,7 +154,7 @@ TEST_CASE("A gap however small gives no pair", "[5.5]") {
   }
 }
 
-TEST_CASE("Slivers and tiny and far meshes give the pairs of brute force", "[5.5]") {
+TEST_CASE("Thin and tiny and far meshes give the pairs of brute force", "[5.5]") {
   const TriangleMesh a = common::bumpy_sphere(400);
   const TriangleMesh b = turned_sphere(300);
   const auto both = [&](const std::string& name, const Vec3& factors, const Vec3& offset) {
@@ -172,7 +172,7 @@ TEST_CASE("Slivers and tiny and far meshes give the pairs of brute force", "[5.5
   }
 }
 
-TEST_CASE("Where boxes part badly the pairs are those of brute force", "[5.5]") {
+TEST_CASE("If boxes separate badly the pairs are those of brute force", "[5.5]") {
   TriangleMesh slivers = common::diagonal_slivers(60);
   for (Vec3& v : slivers.vertices) v = Vec3(1.0 - v.x(), v.y(), v.z());
   const std::vector<Meshes> cases{
@@ -184,7 +184,7 @@ TEST_CASE("Where boxes part badly the pairs are those of brute force", "[5.5]") 
   for (const Meshes& meshes : cases) expect_brute_force(meshes, 4, ++index, 3);
 }
 
-TEST_CASE("A mesh inside another and a shell about it give no pair", "[5.5]") {
+TEST_CASE("A mesh inside another and a shell around it give no pair", "[5.5]") {
   const TriangleMesh sphere = common::bumpy_sphere(600);
   const TriangleMesh small = common::scaled(turned_sphere(300), Vec3::Constant(0.5));
   CHECK(expect_brute_force({"a sphere inside", sphere, small}, 4, 1, 2) == 0);
@@ -200,7 +200,7 @@ TEST_CASE("The counts of a query are those of its traversal", "[5.5]") {
   }
 }
 
-TEST_CASE("The tests of a query grow slower than its meshes but on shells", "[5.5]") {
+TEST_CASE("The tests of a query grow more slowly than its meshes except on shells", "[5.5]") {
   // From n to 16 n triangles; the counts of a traversal are its own, so the exponent is, too.
   const auto exponent = [](bool shells) {
     double tests_made[2] = {0.0, 0.0};

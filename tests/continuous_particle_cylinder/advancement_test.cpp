@@ -144,7 +144,7 @@ void expect_between(const Query& query, double tolerance, int index, int count) 
 
 }  // namespace
 
-TEST_CASE("Head on one step arrives", "[4.3]") {
+TEST_CASE("A particle that moves straight to the axis arrives in one step", "[4.3]") {
   const Query query = tests::query({0, 10, 0}, {0, -2, 0}, 10.0);
   expect_sequence(query, 1e-6);
   const Advancement got = advanced(query, 1e-6);
@@ -168,7 +168,7 @@ TEST_CASE("Advancement follows its sequence step by step", "[4.3]") {
   }
 }
 
-TEST_CASE("Advancement is never late and early by no more than its tolerance takes", "[4.3]") {
+TEST_CASE("Advancement is never late and early only by its tolerance", "[4.3]") {
   tests::Random random(4322);
   for (int i = 1; i <= 200; ++i) {
     const double distance = random.uniform(1.1, 5.0);
@@ -181,7 +181,7 @@ TEST_CASE("Advancement is never late and early by no more than its tolerance tak
 // A gap φ above a plane that is met at the angle θ to its normal: the way φ brings it φ cos θ down.
 // The cylinder's curve changes the ratio 1 − cos θ by some 13 φ/ρ of itself for the flattest
 // of these angles, which all in all, below φ = 1e-4 ρ, is less than one advance.
-TEST_CASE("At an angle of incidence the gap shrinks by 1 - cos an iteration", "[4.3]") {
+TEST_CASE("At an angle of incidence each iteration multiplies the gap by 1 - cos", "[4.3]") {
   for (const double degrees : {30.0, 45.0, 60.0, 75.0, 85.0}) {
     const double angle = degrees * std::numbers::pi / 180.0;
     const double ratio = 1.0 - std::cos(angle);
@@ -220,7 +220,7 @@ TEST_CASE("At tangency the iterations grow as the root of 2 rho over the toleran
   }
 }
 
-TEST_CASE("A pass within the tolerance is a hit and one beyond it is none", "[4.3]") {
+TEST_CASE("A pass within the tolerance is a hit and one beyond it is not", "[4.3]") {
   for (const double tolerance : {1e-3, 1e-6, 1e-8}) {
     for (const double share : {0.9, 1.1}) {
       const Query query =
@@ -265,7 +265,7 @@ TEST_CASE("Advancement that arrives exactly at dt is an impact", "[4.3]") {
   }
 }
 
-TEST_CASE("A gap just above the tolerance is none", "[4.3]") {
+TEST_CASE("A gap just above the tolerance is not an impact", "[4.3]") {
   for (const double tolerance : {0.5, 0.0078125}) {
     for (const double share : {1e-9, 1e-12, 256.0 * eps}) {
       for (const double speed : {0.0, 1.0}) {  // at rest, and on its way out
@@ -283,7 +283,7 @@ TEST_CASE("A gap just above the tolerance is none", "[4.3]") {
   }
 }
 
-TEST_CASE("Advancement ends where t cannot grow any more", "[4.3]") {
+TEST_CASE("Advancement ends if t cannot grow any more", "[4.3]") {
   // The last gaps are roundings of a place 81 away, and φ/|v| is less than half an ulp of t. There
   // t stays; an answer that goes on until φ ≤ tolerance never ends.
   const auto ends = [](const Query& query, double tolerance, int index, int count) {

@@ -42,7 +42,7 @@ double allocations_of(tests::Random& random, std::size_t size) {
 
 }  // namespace
 
-TEST_CASE("The allocations of a batch do not grow with it", "[4.5]") {
+TEST_CASE("The allocations of a batch do not grow with the number of particles", "[4.5]") {
   tests::Random random(453);
   const double few = allocations_of(random, 1000);
   const double many = allocations_of(random, 100000);

@@ -89,7 +89,7 @@ Batch with_tie(const tests::Tie& tie, std::size_t size, std::size_t place) {
 
 }  // namespace
 
-TEST_CASE("A batch of whole numbers", "[4.5]") {
+TEST_CASE("A batch is right on paths of whole numbers", "[4.5]") {
   Batch batch;
   batch.particles.radius = 1.0;
   batch.cylinder.radius = 4.0;
@@ -115,7 +115,7 @@ TEST_CASE("A batch of any size holds every time to one ulp", "[4.5]") {
   }
 }
 
-TEST_CASE("Ties in the middle of a batch are decided as alone", "[4.5]") {
+TEST_CASE("Touches in the middle of a batch are decided as for one particle", "[4.5]") {
   for (const tests::Tie& tie : tests::ties()) {
     for (const std::size_t place : {0U, 5U, 8U, 12U}) expect_batch(with_tie(tie, 19, place));
   }
@@ -142,7 +142,7 @@ TEST_CASE("A batch of touching and grazing paths is right to one ulp", "[4.5]") 
   }
 }
 
-TEST_CASE("A batch finds nothing where paths stay outside narrowly", "[4.5]") {
+TEST_CASE("A batch finds nothing if paths stay just outside", "[4.5]") {
   const auto in_a_batch = [](const Query& query) {
     Batch batch;
     batch.particles.radius = query.particle.radius;
@@ -155,7 +155,7 @@ TEST_CASE("A batch finds nothing where paths stay outside narrowly", "[4.5]") {
   tests::expect_narrow_misses_missed(batch_step, in_a_batch, 453);
 }
 
-TEST_CASE("A batch of no particles refuses bad arguments as any other", "[4.5]") {
+TEST_CASE("A batch of no particles refuses bad arguments like any other", "[4.5]") {
   const std::string likely =
       "dt and the radii are not checked if there are no particles: check them first";
   const Query good = tests::query({0, 10, 20}, {0, -1, 0}, 1.0);
@@ -178,7 +178,7 @@ TEST_CASE("A batch of no particles refuses bad arguments as any other", "[4.5]")
   }
 }
 
-TEST_CASE("A batch refuses bad arguments wherever they stand", "[4.5]") {
+TEST_CASE("A batch refuses bad arguments at any index", "[4.5]") {
   const std::string likely =
       "the arguments are not checked: throw std::invalid_argument for a bad one";
   for (const auto& [why, query] : tests::bad_queries()) {

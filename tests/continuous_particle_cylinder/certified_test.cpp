@@ -126,11 +126,12 @@ TEST_CASE("The certified root is right to one ulp far off", "[4.3]") {
   expect_all_certain(tests::far_query, 432, 500);
 }
 
-TEST_CASE("The certified root is right to one ulp at a million radii a step", "[4.3]") {
+TEST_CASE("The certified root is right to one ulp at a million radii per step", "[4.3]") {
   expect_all_certain(tests::fast_query, 433, 500);
 }
 
-TEST_CASE("The certified root is right to one ulp at the slowest next to the surface", "[4.3]") {
+TEST_CASE("The certified root is right to one ulp for very slow paths next to the surface",
+          "[4.3]") {
   expect_all_hard_certain(tests::slow_query, 434, 500);
 }
 
@@ -142,12 +143,12 @@ TEST_CASE("The certified root is right on oblique paths that graze from near or 
   expect_all_hard_certain(tests::oblique_grazing_query, 4314, 500);
 }
 
-TEST_CASE("The certified root finds nothing where a path stays outside by a few ulp", "[4.3]") {
+TEST_CASE("The certified root finds nothing if a path stays outside by a few ulp", "[4.3]") {
   tests::expect_narrow_misses_missed(certified_step, certified, 4315,
                                      {8.0 * tests::eps, 256.0 * tests::eps, 1e-12, 1e-9, 5e-8});
 }
 
-TEST_CASE("The certified root is right where the impact is within an ulp of dt", "[4.3]") {
+TEST_CASE("The certified root is right if the impact is within an ulp of dt", "[4.3]") {
   expect_all_hard_certain(
       [](tests::Random& random) {
         return tests::ending_at_impact(random, tests::generic_query(random));
@@ -159,7 +160,7 @@ TEST_CASE("The certified root is right between whole numbers where many paths to
   expect_all_hard_certain(tests::lattice_query, 437, 1000);
 }
 
-TEST_CASE("The certified root is right where 106 bits cannot tell a touch", "[4.3]") {
+TEST_CASE("The certified root is right if 106 bits cannot decide a touch", "[4.3]") {
   expect_all_hard_certain(tests::pythagorean_query, 4312, 300);
 }
 
@@ -186,7 +187,8 @@ TEST_CASE("The certified root is right at every scale down to the last subnormal
       300);
 }
 
-TEST_CASE("The certified root is right where every size is of its own order", "[4.3]") {
+TEST_CASE("The certified root is right if all numbers have different orders of magnitude",
+          "[4.3]") {
   expect_all_hard_certain(mixed_query, 4310, 300);
   expect_all_hard_certain(wild_query, 4311, 300);
 }

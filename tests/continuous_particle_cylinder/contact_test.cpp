@@ -125,7 +125,7 @@ TEST_CASE("A contact on a 3-4-5 triangle has whole numbers", "[4.4]") {
   expect_contact(query, 4.0, 3, 3);  // after: inside
 }
 
-TEST_CASE("A contact agrees with a hundred digits wherever the particle is", "[4.4]") {
+TEST_CASE("A contact agrees with a hundred digits at any place", "[4.4]") {
   tests::Random random(441);
   for (int i = 1; i <= 200; ++i) {
     const Query query = tests::generic_query(random);

@@ -155,7 +155,7 @@ TEST_CASE("Far off the cross form keeps the digits that the textbook loses", "[4
   }
 }
 
-TEST_CASE("Time goes as length over speed from 1e-60 to 1e60", "[4.2]") {
+TEST_CASE("Time scales as length over speed from 1e-60 to 1e60", "[4.2]") {
   tests::Random random(425);
   for (int i = 1; i <= 200; ++i) {
     const Query query = deep_query(random, random.uniform(1.5, 5.0), 1.0);
@@ -165,8 +165,7 @@ TEST_CASE("Time goes as length over speed from 1e-60 to 1e60", "[4.2]") {
   }
 }
 
-TEST_CASE("The cross form misses no generic impact and finds none that is clearly missed",
-          "[4.2]") {
+TEST_CASE("The cross form misses no generic impact and finds no clear miss", "[4.2]") {
   expect_none_missed(tests::generic_query, 426);
 }
 
@@ -210,7 +209,7 @@ TEST_CASE("The cross form misses no oblique grazing impact from near or far", "[
   }
 }
 
-TEST_CASE("The cross form finds no impact where a path stays outside narrowly", "[4.2]") {
+TEST_CASE("The cross form finds no impact if a path stays just outside", "[4.2]") {
   tests::expect_narrow_misses_missed(cross_form_step, cross_form, 4215);
 }
 

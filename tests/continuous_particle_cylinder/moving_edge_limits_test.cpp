@@ -55,7 +55,7 @@ std::vector<std::pair<std::string, EdgeCase>> bad_edges() {
 
 }  // namespace
 
-TEST_CASE("Where the ends pass by the ends alone find none of the impacts", "[4.6]") {
+TEST_CASE("If both ends pass by the ends alone find no impact", "[4.6]") {
   tests::Random random(471);
   for (int i = 1; i <= 100; ++i) {
     const EdgeCase c = tests::long_sweep(random);
@@ -101,7 +101,7 @@ TEST_CASE("Samples miss a passage that is shorter than their spacing", "[4.6]") 
 
 // Whole numbers but for the share: an edge of half length 3 that passes along its own line, rests,
 // or comes square to itself, for too short a time.
-TEST_CASE("An edge that stays outside narrowly has no impact", "[4.6]") {
+TEST_CASE("An edge that stays just outside has no impact", "[4.6]") {
   const std::string likely = "a near miss is taken for a hit: decide the signs exactly";
   for (const double share : {4.0 * tests::eps, 1e-12, 1e-9, 5e-8}) {
     const double z = 2.0 * (1.0 + share);
@@ -124,7 +124,7 @@ TEST_CASE("An edge that stays outside narrowly has no impact", "[4.6]") {
   }
 }
 
-TEST_CASE("A moving edge that is no edge is refused", "[4.6]") {
+TEST_CASE("A moving edge with bad arguments is refused", "[4.6]") {
   const auto bad = bad_edges();
   int index = 0;
   for (const auto& [why, c] : bad) {

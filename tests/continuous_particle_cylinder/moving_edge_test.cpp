@@ -51,7 +51,7 @@ TEST_CASE("The line through the ends may touch where the edge is not", "[4.6]") 
   expect_by_hand(near, {3.4});
 }
 
-TEST_CASE("An edge that turns about its middle touches when exact arithmetic says so", "[4.6]") {
+TEST_CASE("An edge that turns about its middle touches as in exact arithmetic", "[4.6]") {
   tests::Random random(461);
   expect_edges(
       [&] {
@@ -65,17 +65,17 @@ TEST_CASE("An edge that turns about its middle touches when exact arithmetic say
       100);
 }
 
-TEST_CASE("Random edges touch when exact arithmetic says so", "[4.6]") {
+TEST_CASE("Random edges touch as in exact arithmetic", "[4.6]") {
   tests::Random random(462);
   expect_edges([&] { return tests::random_edge(random); }, 300);
 }
 
-TEST_CASE("Edges of a cloth touch when exact arithmetic says so", "[4.6]") {
+TEST_CASE("Edges of a cloth touch as in exact arithmetic", "[4.6]") {
   tests::Random random(463);
   expect_edges([&] { return tests::cloth_edge(random); }, 300);
 }
 
-TEST_CASE("Long sweeps touch when exact arithmetic says so", "[4.6]") {
+TEST_CASE("Edges on long ways touch as in exact arithmetic", "[4.6]") {
   tests::Random random(464);
   expect_edges([&] { return tests::long_sweep(random); }, 200);
 }
@@ -99,7 +99,7 @@ TEST_CASE("A line that only touches in passing is an impact", "[4.6]") {
   expect_edges([&] { return tests::exact_tangency(random); }, 200);
 }
 
-TEST_CASE("An arrival at dt is an impact and one just after it is none", "[4.6]") {
+TEST_CASE("An arrival at dt is an impact and one just after it is not", "[4.6]") {
   expect_by_hand(level_edge(5.0, {0.0, 0.0, -1.0}, 3.0), {3.0});
   expect_by_hand(level_edge(5.0, {0.0, 0.0, -1.0}, std::nextafter(3.0, 0.0)), {});
 }
@@ -113,14 +113,14 @@ TEST_CASE("An edge that touches or is inside at the start has an impact at 0", "
   expect_by_hand(level_edge(2.0, {0.0, 5.0, 0.0}, 10.0), {0.0});  // along itself
 }
 
-TEST_CASE("Without motion or time all depends on the start", "[4.6]") {
+TEST_CASE("Without motion or time everything depends on the start", "[4.6]") {
   expect_by_hand(level_edge(2.0, {0.0, 0.0, -1.0}, 0.0), {0.0});
   expect_by_hand(level_edge(2.5, {0.0, 0.0, -1.0}, 0.0), {});
   expect_by_hand(level_edge(2.5, {0.0, 0.0, 0.0}, 10.0), {});
   expect_by_hand(level_edge(2.5, {4.0, 0.0, 0.0}, 10.0), {});
 }
 
-TEST_CASE("An edge that the plane shows as a point is a particle", "[4.6]") {
+TEST_CASE("An edge that is a point in the yz-plane is like a particle", "[4.6]") {
   const Vec3 velocity(3.0, -2.0, 0.0);
   EdgeCase along_x{{{-1.0, 10.0, 3.0}, {4.0, 10.0, 3.0}, velocity, velocity, 1.0}, 4.0, 10.0};
   expect_by_hand(along_x, {3.0});
@@ -130,7 +130,8 @@ TEST_CASE("An edge that the plane shows as a point is a particle", "[4.6]") {
   expect_by_hand(along_x, {3.0});
 }
 
-TEST_CASE("An edge that changes its ends or shrinks to a point touches nothing by that", "[4.6]") {
+TEST_CASE("An edge that swaps its ends or shrinks to a point does not touch because of that",
+          "[4.6]") {
   // In the middle of the step it is the point (0, 0, 3), where its line is every line and no line.
   EdgeCase swapped{
       {{0.0, -4.0, 3.0}, {0.0, 4.0, 3.0}, {0.0, 8.0, 0.0}, {0.0, -8.0, 0.0}, 0.5}, 1.5, 1.0};
@@ -147,12 +148,12 @@ TEST_CASE("An edge is judged alike at any scale", "[4.6]") {
   expect_edges([&] { return tests::scaled_edge(random); }, 60);
 }
 
-TEST_CASE("An end that is far away takes nothing from the inside", "[4.6]") {
+TEST_CASE("An end that is far away costs the inside no digits", "[4.6]") {
   tests::Random random(469);
   expect_edges([&] { return tests::far_edge(random); }, 100);
 }
 
-TEST_CASE("An edge has no first end", "[4.6]") {
+TEST_CASE("An edge with its ends swapped has the same impact", "[4.6]") {
   tests::Random random(470);
   for (int i = 1; i <= 100; ++i) {
     const EdgeCase c = tests::random_edge(random);

@@ -73,7 +73,7 @@ TEST_CASE("The textbook root counts touches at the start and in passing and at d
   }
 }
 
-TEST_CASE("Near one the textbook root is right but for rounding", "[4.1]") {
+TEST_CASE("Near size one the textbook root is right up to rounding", "[4.1]") {
   tests::Random random(411);
   for (int i = 1; i <= 300; ++i) {
     const double distance = random.uniform(1.1, 5.0);
@@ -126,7 +126,7 @@ TEST_CASE("The textbook root loses digits with the square of the distance", "[4.
   }
 }
 
-TEST_CASE("Farther than eps allows the textbook root misses hits and finds false ones", "[4.1]") {
+TEST_CASE("Very far off the textbook root misses hits and finds false ones", "[4.1]") {
   // At 1e9 ρ the discriminant, 4 |v|² (ρ² − h²), is below an ulp of b²: what is left is noise.
   tests::Random random(413);
   int missed = 0;
@@ -154,7 +154,7 @@ TEST_CASE("Farther than eps allows the textbook root misses hits and finds false
                      likely);
 }
 
-TEST_CASE("Near one the textbook root finds nothing where a path stays outside narrowly", "[4.1]") {
+TEST_CASE("Near size one the textbook root finds nothing if a path stays just outside", "[4.1]") {
   // Up to 5 ρ away the discriminant is off by 5.5 eps · 25 of 4 a ρ², and 1e-12 is 4504 eps.
   tests::expect_narrow_misses_missed(textbook_step, textbook, 414, {1e-12, 1e-10, 1e-9, 5e-8});
 }

@@ -106,7 +106,7 @@ TEST_CASE("A batch agrees with each of its particles in a hundred digits", "[3.3
   for (int i = 1; i <= 20; ++i) expect_right(random_batch(random, 100), i, 20);
 }
 
-TEST_CASE("All or none of a batch or an empty one are lists as well", "[3.3]") {
+TEST_CASE("All or none of the particles or an empty batch give the right list", "[3.3]") {
   tests::Random random(332);
   for (const double share : {1.0, 0.0}) expect_right(random_batch(random, 40, share));
   expect_right({});
@@ -125,7 +125,7 @@ TEST_CASE("Whole batches that only touch are in contact", "[3.3]") {
   }
 }
 
-TEST_CASE("Neither great nor small lengths are mistaken for contact or its lack", "[3.3]") {
+TEST_CASE("Very large and very small lengths are judged rightly", "[3.3]") {
   int index = 0;
   for (const double rho : {1e-300, 1e-200, 1.0, 1e200, 1e300}) {
     Batch batch{{}, 0.25 * rho, {0.75 * rho}};
@@ -157,7 +157,7 @@ TEST_CASE("A particle within a hundred roundings of touching is judged rightly",
   }
 }
 
-TEST_CASE("A hundred times the particles take no more allocations", "[3.3]") {
+TEST_CASE("A hundred times as many particles take no more allocations", "[3.3]") {
   tests::Random random(334);
   std::vector<double> counts;
   for (const int size : {1000, 100000}) {
@@ -181,7 +181,7 @@ TEST_CASE("A hundred times the particles take no more allocations", "[3.3]") {
               : "memory is allocated for each particle: allocate it once");
 }
 
-TEST_CASE("A batch is asked of finite positions and of radii above zero only", "[3.3]") {
+TEST_CASE("A batch refuses positions that are not finite and radii not above zero", "[3.3]") {
   const std::vector<Vec3> good{Vec3(1.0, 0.2, 0.3), Vec3(9.0, 9.0, 9.0)};
   tests::expect_radii_checked("3.3 particles_in_contact", [&](double r, const Cylinder& c) {
     return IndexList{particles_in_contact(good, r, c)};

@@ -61,7 +61,7 @@ TEST_CASE("Contacts agree with a hundred digits", "[3.2]") {
   }
 }
 
-TEST_CASE("Where the surfaces are apart there is no contact", "[3.2]") {
+TEST_CASE("If the surfaces are apart there is no contact", "[3.2]") {
   tests::Random random(322);
   for (int i = 1; i <= 50; ++i) {
     // The same particle a little inside, so that an answer without contacts does not pass.
@@ -129,14 +129,14 @@ TEST_CASE("The two points are the gap apart along the normal", "[3.2]") {
   }
 }
 
-TEST_CASE("Contacts are as good at any size", "[3.2]") {
+TEST_CASE("Contacts are right at any size", "[3.2]") {
   for (const double size : {1e-300, 1e-200, 1e200, 1e300}) {
     const Meeting m{Vec3(size, -0.3 * size, 0.4 * size), 0.25 * size, {size}, 0.5};
     tests::expect_contact(contact_trial(m), contact_of(m), m);
   }
 }
 
-TEST_CASE("A contact is asked of finite numbers and of radii above zero only", "[3.2]") {
+TEST_CASE("A contact refuses numbers that are not finite and radii not above zero", "[3.2]") {
   const Vec3 p(1.0, 0.2, 0.3);
   tests::expect_radii_checked(
       "3.2 contact", [&](double r, const Cylinder& c) { return Presence{contact(p, r, c, 0.0)}; });

@@ -59,7 +59,7 @@ TEST_CASE("Gaps of edges agree with a hundred digits", "[3.5]") {
   for (int i = 1; i <= 200; ++i) expect_edge(random_edge(random), i, 200);
 }
 
-TEST_CASE("An edge that shows no length in the yz-plane is a particle", "[3.5]") {
+TEST_CASE("An edge without length in the yz-plane is like a particle", "[3.5]") {
   tests::Random random(352);
   for (int i = 1; i <= 20; ++i) {
     Edge e = random_edge(random);
@@ -70,7 +70,7 @@ TEST_CASE("An edge that shows no length in the yz-plane is a particle", "[3.5]")
   expect_edge({{Vec3(-1.0, 0.0, 0.0), Vec3(1.0, 0.0, 0.0)}, 0.5, {1.0}});
 }
 
-TEST_CASE("Neither long and short nor far and near edges cost the gap its digits", "[3.5]") {
+TEST_CASE("The gap keeps its digits for long and short and far and near edges", "[3.5]") {
   tests::Random random(353);
   int index = 0;
   for (const double size : {1e-300, 1e-200, 1e-20, 1.0, 1e20, 1e200, 1e300}) {
@@ -85,7 +85,7 @@ TEST_CASE("Neither long and short nor far and near edges cost the gap its digits
   }
 }
 
-TEST_CASE("An edge across the axis is as deep as can be", "[3.5]") {
+TEST_CASE("An edge across the axis has a gap of minus both radii", "[3.5]") {
   tests::Random random(354);
   for (int i = 1; i <= 20; ++i) {
     Edge e = random_edge(random);
@@ -96,7 +96,7 @@ TEST_CASE("An edge across the axis is as deep as can be", "[3.5]") {
   }
 }
 
-TEST_CASE("Turned round an edge has the same gap", "[3.5]") {
+TEST_CASE("An edge has the same gap with its ends swapped", "[3.5]") {
   tests::Random random(355);
   for (int i = 1; i <= 50; ++i) {
     const Edge e = random_edge(random);
@@ -147,7 +147,7 @@ TEST_CASE("An edge whose ends are held at the root of both squares touches", "[3
   }
 }
 
-TEST_CASE("An edge is asked of finite ends and of radii above zero only", "[3.5]") {
+TEST_CASE("An edge refuses ends that are not finite and radii not above zero", "[3.5]") {
   const Vec3 a(1.0, 2.0, 3.0);
   const char* const function = "3.5 edge_gap";
   tests::expect_radii_checked(

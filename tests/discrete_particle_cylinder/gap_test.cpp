@@ -99,7 +99,7 @@ TEST_CASE("The gradient agrees with a hundred digits at every size", "[3.1]") {
   }
 }
 
-TEST_CASE("A way along the gradient adds its length to the gap", "[3.1]") {
+TEST_CASE("A step along the gradient adds its length to the gap", "[3.1]") {
   tests::Random random(313);
   for (int i = 1; i <= 50; ++i) {
     const Meeting m = tests::random_meeting(random, random.uniform(0.2, 3.0));
@@ -116,7 +116,7 @@ TEST_CASE("A way along the gradient adds its length to the gap", "[3.1]") {
   }
 }
 
-TEST_CASE("On the axis the gradient is up by contract", "[3.1]") {
+TEST_CASE("On the axis the gradient points up as the contract says", "[3.1]") {
   for (const double x : {0.0, 2.0, -1e200}) {
     const Vec3 p(x, 0.0, x > 0.0 ? -0.0 : 0.0);
     Trial("3.1 gap_gradient")
@@ -127,7 +127,7 @@ TEST_CASE("On the axis the gradient is up by contract", "[3.1]") {
   }
 }
 
-TEST_CASE("The gap is asked of finite positions and of radii above zero only", "[3.1]") {
+TEST_CASE("The gap refuses positions that are not finite and radii not above zero", "[3.1]") {
   const Vec3 p(1.0, 2.0, 3.0);
   tests::expect_radii_checked("3.1 gap", [&](double r, const Cylinder& c) { return gap(p, r, c); });
   tests::expect_position_checked("3.1 gap", "position",

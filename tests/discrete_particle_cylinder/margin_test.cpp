@@ -130,7 +130,7 @@ constexpr double shares[] = {0.1, 0.5, 1.0, 2.0, 3.4, 3.6, 4.0, 6.0};
 
 }  // namespace
 
-TEST_CASE("Edges of eight on a cylinder of three must be held two off", "[3.6]") {
+TEST_CASE("Edges of length 8 need a margin of 2 if rho is 3", "[3.6]") {
   const Margin m{8.0, 0.5, {2.5}};
   expect_margin(m);
   margin_trial(m).expect(particle_margin(8.0, 0.5, {2.5}), 2.0, tests::few_ulp(11.0), suspects(m));
@@ -143,7 +143,7 @@ TEST_CASE("The margin agrees with a hundred digits", "[3.6]") {
   }
 }
 
-TEST_CASE("Where triangles hide the axis the margin goes by their corners", "[3.6]") {
+TEST_CASE("If triangles can hide the axis the margin depends on their corners", "[3.6]") {
   tests::Random random(382);
   int index = 0;
   for (const double share : {0.9, 0.99, 1.01, 1.1, 2.0}) {  // h/(2 √3 ρ)
@@ -169,7 +169,7 @@ TEST_CASE("Sheets without edges and edges of any size have their margin", "[3.6]
   }
 }
 
-TEST_CASE("Held at a tenth more than the margin no sheet touches", "[3.6]") {
+TEST_CASE("A sheet held a tenth beyond the margin does not touch", "[3.6]") {
   tests::Random random(383);
   int index = 0;
   for (const double share : shares) {
@@ -188,7 +188,8 @@ TEST_CASE("Held at a tenth more than the margin no sheet touches", "[3.6]") {
   }
 }
 
-TEST_CASE("Held at a tenth less than the margin the deepest triangle sinks unseen", "[3.6]") {
+TEST_CASE("At a tenth less than the margin a triangle sinks while its particles are free",
+          "[3.6]") {
   tests::Random random(384);
   int index = 0;
   for (const double share : shares) {
@@ -209,7 +210,7 @@ TEST_CASE("Held at a tenth less than the margin the deepest triangle sinks unsee
   }
 }
 
-TEST_CASE("A margin is asked of a finite length and of radii above zero only", "[3.6]") {
+TEST_CASE("A margin refuses a length that is not finite and radii not above zero", "[3.6]") {
   for (const double bad : {-1.0, -1e-300, tests::nan, tests::infinity}) {
     margin_trial({bad, 0.5, {1.0}})
         .expect_throw([&] { return particle_margin(bad, 0.5, Cylinder{1.0}); },

@@ -48,7 +48,7 @@ Flight random_flight(tests::Random& random) {
 
 }  // namespace
 
-TEST_CASE("A fall that is in contact at four of its five samples has the first", "[3.4]") {
+TEST_CASE("A fall that is in contact at four of its five samples returns the first", "[3.4]") {
   // y = 10, 6, 2, −2, −6 at t = 0, 1, 2, 3, 4: the second sample touches.
   Flight f;
   f.path = {Vec3(1.0, 10.0, 0.0), Vec3(0.0, -4.0, 0.0), 4.0};
@@ -83,7 +83,7 @@ TEST_CASE("The end is a sample", "[3.4]") {
   }
 }
 
-TEST_CASE("A particle that stays where it is depends on its start alone", "[3.4]") {
+TEST_CASE("A particle that does not move is judged by its start alone", "[3.4]") {
   // R + r is 1.5, so three of them are just outside.
   for (const double distance : {0.5, 1.75, 1.5 + 1e-9, 1.5 + 1e-12, 1.5 + 8.0 * tests::eps}) {
     for (const Vec3& velocity : {Vec3(0.0, 0.0, 0.0), Vec3(3.0, 0.0, 0.0)}) {
@@ -158,7 +158,7 @@ TEST_CASE("A hit is found at most one step late and half a step on average", "[3
   }
 }
 
-TEST_CASE("A path is asked of finite numbers and at least one sample only", "[3.4]") {
+TEST_CASE("A path refuses numbers that are not finite and less than one sample", "[3.4]") {
   const char* const function = "3.4 first_sampled_contact";
   const StraightPath path{Vec3(0.0, 0.5, 0.0), Vec3(0.0, -1.0, 0.0), 2.0};
   const auto refused = [&](const StraightPath& bad, int samples, const char* why) {

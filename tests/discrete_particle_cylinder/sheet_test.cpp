@@ -157,7 +157,7 @@ TEST_CASE("An edge just outside is free and one just inside is not", "[3.6]") {
   }
 }
 
-TEST_CASE("A sheet may lack triangles or edges or all", "[3.6]") {
+TEST_CASE("A sheet may have no triangles or no edges or nothing at all", "[3.6]") {
   tests::Random random(374);
   Sheet sheet = random_sheet(random);
   sheet.positions[3] = Vec3(1.0, 0.1, 0.2);  // inside
@@ -194,7 +194,7 @@ TEST_CASE("A sheet whose edges or triangles have an index of no particle is refu
   }
 }
 
-TEST_CASE("A sheet is asked of finite positions and of radii above zero only", "[3.6]") {
+TEST_CASE("A sheet refuses positions that are not finite and radii not above zero", "[3.6]") {
   const std::array<Vec3, 3> corners{Vec3(0.0, 5.0, 0.0), Vec3(1.0, 5.0, 0.0), Vec3(0.0, 5.0, 1.0)};
   const char* const function = "3.6 sheet_contacts";
   tests::expect_radii_checked(

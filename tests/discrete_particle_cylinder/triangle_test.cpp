@@ -69,7 +69,7 @@ TEST_CASE("Gaps of triangles agree with a hundred digits", "[3.5]") {
   }
 }
 
-TEST_CASE("Whichever way round its corners are named a triangle has the same gap", "[3.5]") {
+TEST_CASE("A triangle has the same gap in any order of its corners", "[3.5]") {
   tests::Random random(362);
   for (int i = 1; i <= 20; ++i) {
     Triangle t = i % 2 == 0 ? random_triangle(random) : random_pierced(random);
@@ -80,7 +80,7 @@ TEST_CASE("Whichever way round its corners are named a triangle has the same gap
   }
 }
 
-TEST_CASE("A triangle that the yz-plane shows as a segment is its edges", "[3.5]") {
+TEST_CASE("A triangle that is a segment in the yz-plane is like its edges", "[3.5]") {
   tests::Random random(363);
   for (int i = 1; i <= 100; ++i) {
     // On a line through the axis, on either side of it or on both; rounding bends it a little.
@@ -98,7 +98,7 @@ TEST_CASE("A triangle that the yz-plane shows as a segment is its edges", "[3.5]
   expect_triangle({{Vec3(0.0, -1.0, 0.0), Vec3(1.0, 1.0, 0.0), Vec3(2.0, 3.0, 0.0)}});
 }
 
-TEST_CASE("A triangle that the yz-plane shows as a point is a particle", "[3.5]") {
+TEST_CASE("A triangle that is a point in the yz-plane is like a particle", "[3.5]") {
   expect_triangle({{Vec3(0.0, 2.0, -1.0), Vec3(1.0, 2.0, -1.0), Vec3(3.0, 2.0, -1.0)}});
   expect_triangle({{Vec3(0.0, 0.0, 0.0), Vec3(1.0, 0.0, 0.0), Vec3(3.0, 0.0, 0.0)}});
 }
@@ -118,7 +118,7 @@ TEST_CASE("The axis may meet a triangle in a corner or on an edge", "[3.5]") {
   }
 }
 
-TEST_CASE("Slivers far off and across the axis keep the digits of their gap", "[3.5]") {
+TEST_CASE("Very thin triangles far off and across the axis keep the digits of their gap", "[3.5]") {
   tests::Random random(365);
   for (int i = 1; i <= 100; ++i) {
     Triangle t = random_triangle(random);
@@ -134,7 +134,7 @@ TEST_CASE("Slivers far off and across the axis keep the digits of their gap", "[
   }
 }
 
-TEST_CASE("However thin a triangle the axis goes through it", "[3.5]") {
+TEST_CASE("The axis goes through even a very thin triangle", "[3.5]") {
   int index = 0;
   for (const double width : {1e-6, 1e-9, 1e-11, 1e-13}) {
     const Triangle t{{Vec3(0.0, 1.0, width), Vec3(0.0, -1.0, width), Vec3(0.0, 0.0, -2.0 * width)},
@@ -163,7 +163,7 @@ TEST_CASE("Triangles of any size have their gap", "[3.5]") {
   }
 }
 
-TEST_CASE("A great equilateral triangle hides the axis from its edges", "[3.5]") {
+TEST_CASE("A large equilateral triangle hides the axis from its edges", "[3.5]") {
   tests::Random random(367);
   int index = 0;
   for (const double share : {0.5, 0.9, 1.1, 2.0}) {  // h/(2 √3 ρ)
@@ -194,7 +194,7 @@ TEST_CASE("A great equilateral triangle hides the axis from its edges", "[3.5]")
   }
 }
 
-TEST_CASE("A triangle is asked of finite corners and of radii above zero only", "[3.5]") {
+TEST_CASE("A triangle refuses corners that are not finite and radii not above zero", "[3.5]") {
   const Vec3 a(1.0, 2.0, 3.0);
   const Vec3 b(-1.0, -2.0, 2.0);
   const char* const function = "3.5 triangle_gap";

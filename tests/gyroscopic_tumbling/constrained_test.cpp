@@ -31,7 +31,7 @@ Quat predicted(const Quat& q, const Vec3& omega, double dt, Real half = 0.5L,
 
 }  // namespace
 
-TEST_CASE("The predicted attitude of two radians about z is one and one along z", "[2.7]") {
+TEST_CASE("The predicted attitude of two radians about z is Quat 1 0 0 1", "[2.7]") {
   const Vec3 omega(0.0, 0.0, 8.0);
   const Quat q = predicted_attitude(Quat::Identity(), omega, 0.25);
   Trial("2.7 predicted_attitude")
@@ -158,7 +158,8 @@ TEST_CASE("Zero has no nearest unit quaternion and NaN has none either", "[2.7]"
   }
 }
 
-TEST_CASE("However slow the spin the prediction and the constrained step turn by it", "[2.7]") {
+TEST_CASE("The prediction and the constrained step turn by the spin even if it is very slow",
+          "[2.7]") {
   tests::Random random(275);
   for (int i = 1; i <= 40; ++i) {
     const RigidBody body{1.0, tests::random_moments(random)};
@@ -183,7 +184,7 @@ TEST_CASE("However slow the spin the prediction and the constrained step turn by
   }
 }
 
-TEST_CASE("The constrained step is the loop of 2.2 once more", "[2.7]") {
+TEST_CASE("The constrained step gives the same result as the loop of 2.2", "[2.7]") {
   tests::Random random(274);
   for (int i = 1; i <= 100; ++i) {
     const RigidBody body{random.uniform(0.5, 3.0), tests::random_moments(random)};

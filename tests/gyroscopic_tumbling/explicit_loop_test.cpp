@@ -59,7 +59,7 @@ TEST_CASE("A force off the centre of mass starts a spin about its torque", "[2.2
            {Vec3(0.0, 0.0, 3.0), "the torque is not divided by the inertia: multiply it by I^-1"}});
 }
 
-TEST_CASE("A turn of the loop updates velocities first and positions by them", "[2.2]") {
+TEST_CASE("The loop updates velocities first and then moves the body by the new ones", "[2.2]") {
   tests::Random random(221);
   for (int i = 1; i <= 100; ++i) {
     const RigidBody body{random.uniform(0.5, 3.0), tests::random_moments(random)};
@@ -74,7 +74,7 @@ TEST_CASE("A turn of the loop updates velocities first and positions by them", "
   }
 }
 
-TEST_CASE("Without forces the loop is told by the gyroscopic term alone", "[2.2]") {
+TEST_CASE("Without forces only the gyroscopic term changes the spin in the loop", "[2.2]") {
   tests::Random random(222);
   for (int i = 1; i <= 50; ++i) {
     const RigidBody body{1.0, tests::random_moments(random)};
@@ -84,7 +84,7 @@ TEST_CASE("Without forces the loop is told by the gyroscopic term alone", "[2.2]
   }
 }
 
-TEST_CASE("However slow the spin and however short the step the loop turns by it", "[2.2]") {
+TEST_CASE("The loop turns by the spin even if spin and step are very small", "[2.2]") {
   tests::Random random(223);
   for (int i = 1; i <= 40; ++i) {
     const RigidBody body{1.0, tests::random_moments(random)};
@@ -133,7 +133,7 @@ TEST_CASE("An explicit step makes the wobble grow by the root of one plus y squa
   }
 }
 
-TEST_CASE("An explicit wobble is ten times as large when the formula says", "[2.2]") {
+TEST_CASE("An explicit wobble has grown tenfold after the steps of the formula", "[2.2]") {
   int index = 0;
   for (const int axis : {2, 0}) {
     const tests::Wobble wobble{.axis = axis};

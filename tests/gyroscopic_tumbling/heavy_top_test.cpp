@@ -187,7 +187,7 @@ TEST_CASE("The step of a top kicks for half a step and drifts and kicks again", 
   }
 }
 
-TEST_CASE("A top let go at rest or slowly falls by the same step", "[2.6]") {
+TEST_CASE("The same step moves a top that starts at rest or slowly", "[2.6]") {
   tests::Random random(264);
   for (int i = 1; i <= 40; ++i) {
     const HeavyTop top{1.25, 0.5, random.uniform(1.0, 9.0)};
@@ -232,7 +232,7 @@ TEST_CASE("Without weight the step of a top is the free motion", "[2.6]") {
   }
 }
 
-TEST_CASE("A sleeping top wakes where the limit of the step says", "[2.6]") {
+TEST_CASE("A sleeping top wakes at the limit of the step", "[2.6]") {
   int index = 0;
   for (const double h : {0.01, 0.1}) {
     const double limit = sleeping_speed(course_top, h);

@@ -171,7 +171,7 @@ TEST_CASE("An implicit step is one Newton step and a turn by the new velocity", 
   }
 }
 
-TEST_CASE("An implicit step is the same at any pace", "[2.3]") {
+TEST_CASE("An implicit step follows its formula at any speed", "[2.3]") {
   tests::Random random(234);
   for (int i = 1; i <= 100; ++i) {
     const Vec3 moments = tests::random_moments(random);
@@ -201,7 +201,7 @@ TEST_CASE("An implicit step makes the wobble shrink by the root of one plus y sq
   }
 }
 
-TEST_CASE("An implicit wobble is a tenth when the formula says", "[2.3]") {
+TEST_CASE("An implicit wobble has shrunk to a tenth after the steps of the formula", "[2.3]") {
   const tests::Wobble wobble;
   const double y = wobble.precession() * 0.1;
   const double steps = std::log(10.0) / (0.5 * std::log1p(y * y));
@@ -220,7 +220,7 @@ TEST_CASE("An implicit wobble is a tenth when the formula says", "[2.3]") {
                      {0.1, "10^-1.1 by the closed form: less than a tenth is left"});
 }
 
-TEST_CASE("In ten minutes the implicit step eats a fifth of the angular momentum of a tumble",
+TEST_CASE("In ten minutes the implicit step loses a fifth of the angular momentum of a tumble",
           "[2.3]") {
   // At 60 steps a second and a turn a second: it ends in a spin about the major axis, where
   // 2 E I3 = L^2, with 0.788 of |L| left.

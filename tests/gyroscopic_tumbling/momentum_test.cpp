@@ -58,7 +58,7 @@ Spin quarter_turned(const Vec3& angular_velocity_body) {
 
 }  // namespace
 
-TEST_CASE("Without a torque one one one on moments one two three accelerates by the cross product",
+TEST_CASE("Without a torque omega 1 1 1 on moments 1 2 3 accelerates by the cross product",
           "[2.1]") {
   // omega x I omega = (1, 1, 1) x (1, 2, 3) = (1, -2, 1), divided by the moments, with a minus.
   const Mat3 inertia = Vec3(1.0, 2.0, 3.0).asDiagonal();
@@ -88,7 +88,7 @@ TEST_CASE("A torque on a body at rest turns it through the inverse of its inerti
   }
 }
 
-TEST_CASE("Seen from turned axes the acceleration is the same turned vector", "[2.1]") {
+TEST_CASE("In turned axes the acceleration is the same vector turned", "[2.1]") {
   tests::Random random(213);
   for (int i = 1; i <= 50; ++i) {
     const Mat3 inertia = random.inertia();
@@ -110,7 +110,7 @@ TEST_CASE("Seen from turned axes the acceleration is the same turned vector", "[
   }
 }
 
-TEST_CASE("One two three on moments one two three has an energy of eighteen", "[2.1]") {
+TEST_CASE("Omega 1 2 3 on moments 1 2 3 has an energy of 18", "[2.1]") {
   const Vec3 moments(1.0, 2.0, 3.0);
   tests::Random random(214);
   for (int i = 1; i <= 10; ++i) {
@@ -151,8 +151,7 @@ TEST_CASE("The energy is half of omega times angular momentum whatever the attit
   }
 }
 
-TEST_CASE("A quarter turn about z takes the momentum one two three to minus two one three",
-          "[2.1]") {
+TEST_CASE("A quarter turn about z takes the momentum 1 2 3 to minus 2 1 3", "[2.1]") {
   const Vec3 moments(1.0, 2.0, 3.0);
   const Spin spin = quarter_turned(Vec3(1.0, 1.0, 1.0));
   tests::spin_trial("2.1 angular_momentum", moments, spin)
@@ -213,7 +212,7 @@ TEST_CASE("Moments that a body can have are returned as they are", "[2.1]") {
   }
 }
 
-TEST_CASE("Moments that no body can have are an error", "[2.1]") {
+TEST_CASE("Moments that no body can have are refused", "[2.1]") {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const char* const positive = "each moment must be above zero";

@@ -88,7 +88,7 @@ TEST_CASE("A step turns the attitude by the increment and the momentum back", "[
   }
 }
 
-TEST_CASE("A step of Moser and Veselov is the same at any pace", "[2.8]") {
+TEST_CASE("A step of Moser and Veselov follows its formula at any speed", "[2.8]") {
   tests::Random random(286);
   for (int i = 1; i <= 60; ++i) {
     const Vec3 moments = tests::random_moments(random);
@@ -131,7 +131,7 @@ TEST_CASE("Energy and angular momentum are kept to rounding at any step that exi
   }
 }
 
-TEST_CASE("Uncorrected the step converges with order two on a tumble", "[2.8]") {
+TEST_CASE("Without a correction the step converges with order two on a tumble", "[2.8]") {
   tests::expect_order(moser_veselov_function, step_of(tests::tumble_moments, 2), 128, 2.0);
 }
 

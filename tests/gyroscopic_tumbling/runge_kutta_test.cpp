@@ -149,7 +149,7 @@ TEST_CASE("The rate of a quaternion of length two is twice as large", "[2.4]") {
   }
 }
 
-TEST_CASE("A Runge-Kutta step mixes four rates with weights one two two one", "[2.4]") {
+TEST_CASE("A Runge-Kutta step mixes four rates with weights 1 2 2 1", "[2.4]") {
   tests::Random random(243);
   for (int i = 1; i <= 100; ++i) {
     const Vec3 moments = tests::random_moments(random);
@@ -163,7 +163,7 @@ TEST_CASE("A Runge-Kutta step mixes four rates with weights one two two one", "[
   }
 }
 
-TEST_CASE("A Runge-Kutta step is the same at any pace", "[2.4]") {
+TEST_CASE("A Runge-Kutta step follows its formula at any speed", "[2.4]") {
   tests::Random random(244);
   for (int i = 1; i <= 100; ++i) {
     const Vec3 moments = tests::random_moments(random);

@@ -162,7 +162,7 @@ TEST_CASE("The step of Moser and Veselov is right for all sizes from 1e-60 to 1e
                 });
 }
 
-TEST_CASE("A spin of 1e-60 for 1e-60 seconds is no step that is too long", "[2.8]") {
+TEST_CASE("A spin of 1e-60 for 1e-60 seconds is not a step that is too long", "[2.8]") {
   const Vec3 moments(1.0, 2.0, 2.5);
   const Spin spin{Quat(0.5, 0.5, -0.5, 0.5), 1e-60 * Vec3(0.6, 0.0, -0.8)};
   const Trial trial = tests::spin_trial("2.8 step_moser_veselov", moments, spin).given("dt", 1e-60);

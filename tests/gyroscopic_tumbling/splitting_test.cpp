@@ -151,7 +151,7 @@ TEST_CASE("A sub-rotation turns the attitude forwards and the momentum back", "[
   }
 }
 
-TEST_CASE("The splitting takes the axes in the order one two three two one", "[2.5]") {
+TEST_CASE("The splitting takes the axes in the order 1 2 3 2 1", "[2.5]") {
   tests::Random random(252);
   for (int i = 1; i <= 100; ++i) {
     const Vec3 moments = tests::random_moments(random);
@@ -184,7 +184,7 @@ TEST_CASE("The splitting keeps the angular momentum as a world vector to roundin
   }
 }
 
-TEST_CASE("A sub-rotation is the same at any pace", "[2.5]") {
+TEST_CASE("A sub-rotation follows its formula at any speed", "[2.5]") {
   tests::Random random(255);
   for (int i = 1; i <= 90; ++i) {
     const Vec3 moments = tests::random_moments(random);
@@ -199,7 +199,7 @@ TEST_CASE("A sub-rotation is the same at any pace", "[2.5]") {
   }
 }
 
-TEST_CASE("A splitting step is the same at any pace", "[2.5]") {
+TEST_CASE("A splitting step follows its formula at any speed", "[2.5]") {
   tests::Random random(256);
   for (int i = 1; i <= 100; ++i) {
     const Vec3 moments = tests::random_moments(random);

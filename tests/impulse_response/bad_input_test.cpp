@@ -210,7 +210,7 @@ TEST_CASE("A step to impact of bad input is refused", "[6.4]") {
   }
 }
 
-TEST_CASE("Bodies that cannot be are refused", "[6.5]") {
+TEST_CASE("Impossible bodies are refused", "[6.5]") {
   const RigidBody good;
   refuse_bodies("6.5 inverse_effective_mass",
                 [&](const auto& bad) { return inverse_effective_mass(good, bad, up); });
@@ -224,7 +224,7 @@ TEST_CASE("Bodies that cannot be are refused", "[6.5]") {
                 [&](const auto& bad) { return with_impulse(bad, up, up).velocity; });
 }
 
-TEST_CASE("Contacts and impulses that cannot be are refused", "[6.5]") {
+TEST_CASE("Impossible contacts and impulses are refused", "[6.5]") {
   const RigidBody good;
   const std::string f = "6.5 contact_impulse";
   const std::vector<Vec3> bad_vectors{nan_vector, infinite_vector};

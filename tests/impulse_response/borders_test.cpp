@@ -15,13 +15,13 @@ const tests::Bound of_a_length{2e-8, "the length of a normal is one up to 1e-9"}
 
 }  // namespace
 
-TEST_CASE("A normal of length one but for rounding is taken", "[6.1]") {
+TEST_CASE("A normal of length one up to rounding is accepted", "[6.1]") {
   tests::trial_of("6.1 normal_impulse")
       .given("normal", nearly_unit)
       .expect(normal_impulse(3.0, Vec3(4.0, 5.0, -2.0), nearly_unit, 0.5), 9.0, of_a_length);
 }
 
-TEST_CASE("More friction than one and a normal that is rounded are taken", "[6.2]") {
+TEST_CASE("A friction above one and a rounded normal are accepted", "[6.2]") {
   tests::trial_of("6.2 friction_impulse")
       .given("normal", nearly_unit)
       .given("friction", 1.5)
@@ -29,7 +29,7 @@ TEST_CASE("More friction than one and a normal that is rounded are taken", "[6.2
               Vec3(-6.0, 0.0, 0.0), of_a_length);
 }
 
-TEST_CASE("Corrections by more friction than one and a rounded normal are taken", "[6.3]") {
+TEST_CASE("Corrections accept a friction above one and a rounded normal", "[6.3]") {
   tests::trial_of("6.3 normal_correction")
       .given("normal", nearly_unit)
       .expect(normal_correction(-2.0, nearly_unit), Vec3(0.0, 0.0, 2.0), of_a_length);
@@ -40,7 +40,7 @@ TEST_CASE("Corrections by more friction than one and a rounded normal are taken"
               Vec3(-3.0, 0.0, 0.0), of_a_length);
 }
 
-TEST_CASE("However short the way it slid it is moved back", "[6.3]") {
+TEST_CASE("Even a very short slip is moved back", "[6.3]") {
   int index = 0;
   for (const double way : {1e-3, 1e-9, 1e-12, 1e-15, 1e-100}) {
     tests::trial_of("6.3 tangential_correction", ++index, 5)
@@ -74,7 +74,7 @@ TEST_CASE("A step that ends on the surface has no impulse", "[6.4]") {
               {0.0, "small powers of two; only a particle with phi < 0 is changed"});
 }
 
-TEST_CASE("What comes down from just above the surface has an impact", "[6.4]") {
+TEST_CASE("A particle that comes down from just above the surface has an impact", "[6.4]") {
   StepInput in;
   in.particle = {1.0, Vec3(0.0, 0.0, 0x1p-40), Vec3(0.0, 0.0, -1.0)};
   in.material.restitution = 0.5;

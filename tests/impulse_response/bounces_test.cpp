@@ -23,7 +23,7 @@ StepInput dropped(double height, double restitution, double dt) {
 
 }  // namespace
 
-TEST_CASE("Twenty bounces have heights of e to the 2n", "[6.4]") {
+TEST_CASE("Twenty bounces have the heights e to the power 2n", "[6.4]") {
   // Errors are relative to the flight they arise in: each adds some 40 eps of its height, and e⁻²
   // times that where it ends. With 16 steps and 20 bounces that is 9e-13 at most, for e = 0.5.
   int index = 0;
@@ -51,7 +51,7 @@ TEST_CASE("Twenty bounces have heights of e to the 2n", "[6.4]") {
   }
 }
 
-TEST_CASE("Bounces pile up at the rest time and the cap ends them", "[6.4]") {
+TEST_CASE("Bounces accumulate at the rest time and max_impacts ends them", "[6.4]") {
   // v/g passes to the first impact and 2 v eᵏ/g from the k-th to the next: the n-th is 2 v eⁿ/(g (1
   // − e)) before the rest time v (1 + e)/(g (1 − e)), both counted from the drop.
   int index = 0;
@@ -76,8 +76,7 @@ TEST_CASE("Bounces pile up at the rest time and the cap ends them", "[6.4]") {
   }
 }
 
-TEST_CASE("Shortly before the rest time there is no end in sight and shortly after there is",
-          "[6.4]") {
+TEST_CASE("Bounces go on shortly before the rest time and are over shortly after it", "[6.4]") {
   const double e = 0.5;
   const double v = std::sqrt(2.0 * g * 1.0);
   const double rest = v * (1.0 + e) / (g * (1.0 - e));

@@ -46,13 +46,13 @@ TEST_CASE("A head-on impact of 1 and 3 is worked by hand", "[6.5]") {
   expect_impulse(in, Vec3(4.5, 0.0, 0.0), {64.0 * eps * 4.5, "a 3 x 3 system, almost diagonal"});
 }
 
-TEST_CASE("A point mass that slips gets what the cone allows", "[6.5]") {
+TEST_CASE("A point mass that slips gets the largest impulse of the cone", "[6.5]") {
   // j_n = 1.5 · 2 · 3 = 9, and friction 0.5 · 9 along (3, 4)/5: less than 2 · 5.
   expect_impulse(particle_on_ground(0.5, 0.5), Vec3(-2.7, -3.6, 9.0),
                  {64.0 * eps * 9.0, "a 3 x 3 system"});
 }
 
-TEST_CASE("A point mass that slips little is stopped and not turned round", "[6.5]") {
+TEST_CASE("A point mass that slips little is stopped and not reversed", "[6.5]") {
   expect_impulse(particle_on_ground(0.5, 2.0), Vec3(-6.0, -8.0, 9.0),
                  {64.0 * eps * 14.0, "a 3 x 3 system"});
 }
@@ -69,7 +69,7 @@ TEST_CASE("A ball that rolls in with the wrong spin is worked by hand", "[6.5]")
   expect_impulse(in, Vec3(-1.5, 0.0, 6.0), {64.0 * eps * 7.0, "a 3 x 3 system"}, 2, 2);
 }
 
-TEST_CASE("The impulse is that of any two bodies", "[6.5]") {
+TEST_CASE("The impulse is right for any two bodies", "[6.5]") {
   tests::Random random(681);
   int parting = 0;
   int sticking = 0;
@@ -85,7 +85,7 @@ TEST_CASE("The impulse is that of any two bodies", "[6.5]") {
   REQUIRE(slipping > 40);
 }
 
-TEST_CASE("Where the cone is wide enough it sticks", "[6.5]") {
+TEST_CASE("If the cone is wide enough it sticks", "[6.5]") {
   tests::Random random(682);
   int count = 0;
   for (int i = 1; count < 40 && i <= 1000; ++i) {
@@ -106,7 +106,7 @@ TEST_CASE("Where the cone is wide enough it sticks", "[6.5]") {
   }
 }
 
-TEST_CASE("Where the ground is smooth it slips and the impulse is along the normal", "[6.5]") {
+TEST_CASE("If the ground is smooth it slips and the impulse is along the normal", "[6.5]") {
   tests::Random random(683);
   for (int i = 1; i <= 40; ++i) {
     ContactInput in = tests::random_contact(random, i);
@@ -115,7 +115,7 @@ TEST_CASE("Where the ground is smooth it slips and the impulse is along the norm
   }
 }
 
-TEST_CASE("Restitution of none and of all is that of any two bodies", "[6.5]") {
+TEST_CASE("A restitution of 0 or 1 is right for any two bodies", "[6.5]") {
   tests::Random random(684);
   for (int i = 1; i <= 60; ++i) {
     ContactInput in = tests::random_contact(random, i);
@@ -124,7 +124,7 @@ TEST_CASE("Restitution of none and of all is that of any two bodies", "[6.5]") {
   }
 }
 
-TEST_CASE("A body on a hinge yields only by turning", "[6.5]") {
+TEST_CASE("A body on a hinge can only turn", "[6.5]") {
   tests::Random random(657);
   for (int i = 1; i <= 20; ++i) {
     ContactInput in = tests::random_contact(random, i);
@@ -135,7 +135,7 @@ TEST_CASE("A body on a hinge yields only by turning", "[6.5]") {
   }
 }
 
-TEST_CASE("Where the points part or rest there is no impulse", "[6.5]") {
+TEST_CASE("If the points move apart or rest there is no impulse", "[6.5]") {
   ContactInput in = particle_on_ground(0.5, 0.5);
   const tests::Bound none{0.0, "there is nothing to stop"};
   in.b.velocity.z() = 3.0;
@@ -146,7 +146,7 @@ TEST_CASE("Where the points part or rest there is no impulse", "[6.5]") {
   expect_impulse(in, Vec3::Zero(), none, 3, 3);
 }
 
-TEST_CASE("A straight hit is along the normal however rough or smooth the ground is", "[6.5]") {
+TEST_CASE("A straight hit is along the normal on ground of any friction", "[6.5]") {
   // A mass of 1 that comes down at 2 with its centre above the contact: no slip, so no direction.
   ContactInput in{tests::ground(), {}, {Vec3::Zero(), Vec3::UnitZ()}, {0.5, 0.0}};
   in.b.position = Vec3(0.0, 0.0, 1.0);
@@ -166,7 +166,7 @@ TEST_CASE("A straight hit of two free bodies on smooth ground is along the norma
   expect_impulse(in, Vec3(0.0, 3.0, 0.0), {64.0 * eps * 3.0, "a 3 x 3 system"});
 }
 
-TEST_CASE("A normal may be of length one to nine digits", "[6.5]") {
+TEST_CASE("The length of a normal may be one up to nine digits", "[6.5]") {
   ContactInput in{tests::ground(), {}, {Vec3::Zero(), Vec3::UnitZ()}, {0.5, 0.5}};
   in.b.position = Vec3(0.0, 0.0, 1.0);
   in.b.velocity = Vec3(0.0, 0.0, -2.0);
@@ -178,7 +178,7 @@ TEST_CASE("A normal may be of length one to nine digits", "[6.5]") {
   }
 }
 
-TEST_CASE("Contact does not pull where stick would have to", "[6.5]") {
+TEST_CASE("A contact does not pull even if sticking would need it", "[6.5]") {
   // The rod of the handout: stick wants j = (1.5, 0, -0.5). On the cone w = (4, 0, 1), and
   // n.K w = 8.5, so that j_n = 2/17.
   ContactInput in{tests::ground(), {}, {Vec3::Zero(), Vec3::UnitZ()}, {0.0, 4.0}};
@@ -188,7 +188,7 @@ TEST_CASE("Contact does not pull where stick would have to", "[6.5]") {
   expect_impulse(in, Vec3(8.0 / 17.0, 0.0, 2.0 / 17.0), {64.0 * eps * 5.0, "a 3 x 3 system"});
 }
 
-TEST_CASE("However slowly the points meet there is an impulse", "[6.5]") {
+TEST_CASE("There is an impulse even if the points meet very slowly", "[6.5]") {
   int index = 0;
   for (const double speed : {1e-3, 1e-9, 1e-12, 1e-15, 1e-90}) {
     ContactInput in = particle_on_ground(0.5, 0.5);
@@ -201,7 +201,7 @@ TEST_CASE("However slowly the points meet there is an impulse", "[6.5]") {
   }
 }
 
-TEST_CASE("However slowly the points part there is no impulse", "[6.5]") {
+TEST_CASE("There is no impulse if the points move apart even very slowly", "[6.5]") {
   int index = 0;
   for (const double speed : {1e-3, 1e-9, 1e-12, 1e-15, 1e-90}) {
     ContactInput in = particle_on_ground(0.5, 0.5);
@@ -210,7 +210,7 @@ TEST_CASE("However slowly the points part there is no impulse", "[6.5]") {
   }
 }
 
-TEST_CASE("Just inside of the cone it sticks and just outside it slips on", "[6.5]") {
+TEST_CASE("It sticks just inside the cone and slips just outside", "[6.5]") {
   // Stick wants |j_t| = 10 and j_n = 9.
   int index = 0;
   for (const double share : {1.0 - 1e-9, 1.0 - 1e-12, 1.0 + 1e-12, 1.0 + 1e-9}) {
@@ -220,7 +220,7 @@ TEST_CASE("Just inside of the cone it sticks and just outside it slips on", "[6.
   }
 }
 
-TEST_CASE("However smooth or dull the ground is its friction and restitution count", "[6.5]") {
+TEST_CASE("Even very small friction and restitution count", "[6.5]") {
   int index = 0;
   const tests::Bound bound{64.0 * eps * 14.0, "a 3 x 3 system"};
   for (const double small : {1e-3, 1e-9, 1e-12}) {

@@ -67,7 +67,7 @@ TEST_CASE("The normal speed is reversed times e whether it sticks or slips", "[6
   }
 }
 
-TEST_CASE("The impulse is in the cone and on it where it slips", "[6.5]") {
+TEST_CASE("The impulse is in the cone and on its surface if it slips", "[6.5]") {
   tests::Random random(692);
   for (int i = 1; i <= 60; ++i) {
     const ContactInput in = tests::random_contact(random, i);

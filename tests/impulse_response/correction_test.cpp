@@ -40,14 +40,14 @@ TEST_CASE("A particle outside or on the surface stays", "[6.3]") {
   }
 }
 
-TEST_CASE("However little it is inside it is moved out", "[6.3]") {
+TEST_CASE("A particle that is hardly inside is moved out", "[6.3]") {
   int index = 0;
   for (const double depth : {1e-3, 1e-9, 1e-12, 1e-15, 1e-100}) {
     expect_out(-depth, Vec3::UnitX(), ++index, 5);
   }
 }
 
-TEST_CASE("The normal correction is minus phi n however deep it is", "[6.3]") {
+TEST_CASE("The normal correction is minus phi n at any depth", "[6.3]") {
   tests::Random random(641);
   for (int i = 1; i <= 40; ++i) {
     const double depth = std::pow(10.0, random.uniform(-15.0, 3.0));
@@ -76,7 +76,7 @@ TEST_CASE("The tangential correction is the friction rule on positions", "[6.3]"
   }
 }
 
-TEST_CASE("Without slip or depth or roughness nothing slides back", "[6.3]") {
+TEST_CASE("Without slip or depth or friction nothing slides back", "[6.3]") {
   const tests::Bound none{0.0, "one factor is zero"};
   expect_back({Vec3(0.0, 0.0, -3.0), Vec3::UnitZ(), 9.0, 0.5}, none, 1, 4);
   expect_back({Vec3::Zero(), Vec3::UnitZ(), 9.0, 0.5}, none, 2, 4);
@@ -84,7 +84,7 @@ TEST_CASE("Without slip or depth or roughness nothing slides back", "[6.3]") {
   expect_back({Vec3(1.0, 2.0, -3.0), Vec3::UnitZ(), 9.0, 0.0}, none, 4, 4);
 }
 
-TEST_CASE("However little it is pressed or rubs it slides back as much", "[6.3]") {
+TEST_CASE("A very small depth or friction still moves it back by mu d_n", "[6.3]") {
   int index = 0;
   for (const double small : {1e-3, 1e-9, 1e-12, 1e-15, 1e-90}) {
     const tests::Bound bound{8.0 * eps * small, "a root, a division and products"};
@@ -94,7 +94,7 @@ TEST_CASE("However little it is pressed or rubs it slides back as much", "[6.3]"
   }
 }
 
-TEST_CASE("Just inside of the disc all is undone and just outside the rest stays", "[6.3]") {
+TEST_CASE("Just inside the disc all slip is undone and just outside the rest remains", "[6.3]") {
   int index = 0;
   for (const double share : {1.0 - 1e-9, 1.0 - 1e-12, 1.0, 1.0 + 1e-12, 1.0 + 1e-9}) {
     expect_back({Vec3(3.0, 4.0, -1.0), Vec3::UnitZ(), 10.0 * share, 0.5},
@@ -102,7 +102,7 @@ TEST_CASE("Just inside of the disc all is undone and just outside the rest stays
   }
 }
 
-TEST_CASE("Straight in nothing slides back however rough or smooth it is", "[6.3]") {
+TEST_CASE("Straight in nothing slides back at any friction", "[6.3]") {
   int index = 0;
   for (const double mu : {0.0, 0.5}) {
     for (const double depth : {0.0, 3.0}) {

@@ -65,7 +65,8 @@ TEST_CASE("A slide without friction ends at two thirds with an error of order dt
   }
 }
 
-TEST_CASE("The particle is let go late by the root of dt", "[6.4]") {
+TEST_CASE("The particle leaves the surface late by an angle of the order of the root of dt",
+          "[6.4]") {
   // Past the point where the impulse ends the outward speed grows from zero: s = v²/R − g cos θ
   // rises at 3 g ω sin θ, so that after τ it is 3/2 g ω sin θ τ². A step ends outside once that is
   // more than what symplectic Euler cuts off a curve, dt (g cos θ − v²/2R) = dt g cos θ / 2:

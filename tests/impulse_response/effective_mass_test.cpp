@@ -67,7 +67,7 @@ TEST_CASE("K of a ball on the ground is worked by hand", "[6.5]") {
               Mat3(Vec3(4.5, 4.5, 0.5).asDiagonal()), {0.0, "small whole numbers"});
 }
 
-TEST_CASE("K is that of any two bodies", "[6.5]") {
+TEST_CASE("K is right for any two bodies", "[6.5]") {
   tests::Random random(671);
   for (int i = 1; i <= 100; ++i) {
     const tests::ContactInput in = tests::random_contact(random, i);
@@ -75,7 +75,7 @@ TEST_CASE("K is that of any two bodies", "[6.5]") {
   }
 }
 
-TEST_CASE("K is what impulses change of the relative velocity", "[6.5]") {
+TEST_CASE("K times an impulse is the change of the relative velocity", "[6.5]") {
   tests::Random random(672);
   for (int i = 1; i <= 50; ++i) {
     const tests::ContactInput in = tests::random_contact(random, i);
@@ -96,7 +96,7 @@ TEST_CASE("K is what impulses change of the relative velocity", "[6.5]") {
   }
 }
 
-TEST_CASE("K is symmetric and does not care which body comes first", "[6.5]") {
+TEST_CASE("K is symmetric and the same for either order of the bodies", "[6.5]") {
   tests::Random random(673);
   for (int i = 1; i <= 20; ++i) {
     const tests::ContactInput in = tests::random_contact(random, i);
@@ -110,7 +110,7 @@ TEST_CASE("K is symmetric and does not care which body comes first", "[6.5]") {
   }
 }
 
-TEST_CASE("Two immovable bodies yield to nothing", "[6.5]") {
+TEST_CASE("Two immovable bodies have a K of zero", "[6.5]") {
   const Vec3 point(1.0, 2.0, 3.0);
   mass_trial(tests::ground(), tests::ground(), point, 1, 1)
       .expect(inverse_effective_mass(tests::ground(), tests::ground(), point), Mat3(Mat3::Zero()),
@@ -148,7 +148,7 @@ TEST_CASE("A hinged body cannot be moved but turns", "[6.5]") {
   trial.of("the angular velocity").expect(got.angular_velocity, Vec3(0.0, 0.0, 3.0), exact);
 }
 
-TEST_CASE("However small an impulse is it acts", "[6.5]") {
+TEST_CASE("Even a very small impulse acts", "[6.5]") {
   RigidBody body;
   body.inverse_mass = 0.5;
   body.inverse_inertia = Vec3(1.0, 2.0, 4.0).asDiagonal();
@@ -166,7 +166,7 @@ TEST_CASE("However small an impulse is it acts", "[6.5]") {
   }
 }
 
-TEST_CASE("However heavy or light a body is it yields by its inverses", "[6.5]") {
+TEST_CASE("K is right for very heavy and very light bodies", "[6.5]") {
   int index = 0;
   for (const double size : {1e-90, 1e-12, 1e-9, 1e9, 1e12, 1e90}) {
     RigidBody ball;

@@ -40,13 +40,13 @@ tests::Bound rounding(const FrictionCase& c) {
 
 }  // namespace
 
-TEST_CASE("What slips is braked by mu times the normal impulse", "[6.2]") {
+TEST_CASE("A particle that slips is braked by mu times the normal impulse", "[6.2]") {
   // v_t = (3, 4, 0): m |v_t| = 10 is more than the cone's 0.5 · 4 = 2.
   expect_friction({2.0, Vec3(3.0, 4.0, -1.0), Vec3::UnitZ(), 4.0, 0.5},
                   {8.0 * eps * 2.0, "a root and a division"});
 }
 
-TEST_CASE("What slips little is stopped and not turned round", "[6.2]") {
+TEST_CASE("A particle that slips little is stopped and not reversed", "[6.2]") {
   // m |v_t| = 10 is less than the cone's 0.5 · 40 = 20.
   expect_friction({2.0, Vec3(3.0, 4.0, -1.0), Vec3::UnitZ(), 40.0, 0.5},
                   {8.0 * eps * 10.0, "a root and a division"});
@@ -61,7 +61,7 @@ TEST_CASE("Friction is that of maximum dissipation for any slip", "[6.2]") {
   }
 }
 
-TEST_CASE("The normal speed is left alone and no friction leaves the cone", "[6.2]") {
+TEST_CASE("Friction does not change the normal speed and stays in the cone", "[6.2]") {
   tests::Random random(632);
   for (int i = 1; i <= 50; ++i) {
     const FrictionCase c = random_case(random, random.uniform(0.05, 4.0));
@@ -96,7 +96,7 @@ TEST_CASE("No other impulse in the cone takes as much energy", "[6.2]") {
   }
 }
 
-TEST_CASE("Without slip or pressure or roughness there is no friction", "[6.2]") {
+TEST_CASE("Without slip or normal impulse or mu there is no friction", "[6.2]") {
   const tests::Bound none{0.0, "one factor is zero"};
   expect_friction({2.0, Vec3(0.0, 0.0, -3.0), Vec3::UnitZ(), 9.0, 0.5}, none, 1, 4);
   expect_friction({2.0, Vec3::Zero(), Vec3::UnitZ(), 9.0, 0.5}, none, 2, 4);
@@ -104,7 +104,7 @@ TEST_CASE("Without slip or pressure or roughness there is no friction", "[6.2]")
   expect_friction({2.0, Vec3(1.0, 2.0, -3.0), Vec3::UnitZ(), 9.0, 0.0}, none, 4, 4);
 }
 
-TEST_CASE("However slowly it slips it is braked", "[6.2]") {
+TEST_CASE("Even a very slow slip is braked", "[6.2]") {
   int index = 0;
   for (const double speed : {1e-6, 1e-9, 1e-12, 1e-15, 1e-100}) {
     const FrictionCase c{2.0, Vec3(3.0 * speed, 4.0 * speed, 0.0), Vec3::UnitZ(), 1.0, 0.5};
@@ -112,7 +112,7 @@ TEST_CASE("However slowly it slips it is braked", "[6.2]") {
   }
 }
 
-TEST_CASE("However little presses and however smooth it is it brakes as much", "[6.2]") {
+TEST_CASE("A very small normal impulse or mu still brakes by mu j_n", "[6.2]") {
   // On the cone: mu j_n along (3, 4, 0)/5, whatever part of m |v_t| = 10 it is.
   int index = 0;
   for (const double small : {1e-3, 1e-9, 1e-12, 1e-15, 1e-90}) {
@@ -123,7 +123,7 @@ TEST_CASE("However little presses and however smooth it is it brakes as much", "
   }
 }
 
-TEST_CASE("Just inside of the cone it stops and just outside it slips on", "[6.2]") {
+TEST_CASE("It stops just inside the cone and slips on just outside", "[6.2]") {
   int index = 0;
   for (const double share : {1.0 - 1e-9, 1.0 - 1e-12, 1.0, 1.0 + 1e-12, 1.0 + 1e-9}) {
     expect_friction({2.0, Vec3(3.0, 4.0, -1.0), Vec3::UnitZ(), 20.0 * share, 0.5},
@@ -131,7 +131,7 @@ TEST_CASE("Just inside of the cone it stops and just outside it slips on", "[6.2
   }
 }
 
-TEST_CASE("A straight hit has no friction however rough or smooth it is", "[6.2]") {
+TEST_CASE("A straight hit has no friction at any mu", "[6.2]") {
   int index = 0;
   for (const double mu : {0.0, 0.5}) {
     for (const double j_n : {0.0, 3.0}) {

@@ -45,7 +45,7 @@ StepInput random_input(tests::Random& random, int index) {
 
 }  // namespace
 
-TEST_CASE("As many impacts as an int can count may be allowed", "[6.4]") {
+TEST_CASE("max_impacts may be the largest int", "[6.4]") {
   const StepInput in = worked_by_hand();
   const tests::StepValue wanted = tests::impact_step_by_answer(in, 4).step;
   constexpr int most = std::numeric_limits<int>::max();
@@ -56,7 +56,7 @@ TEST_CASE("As many impacts as an int can count may be allowed", "[6.4]") {
               {0.0, "there is one impact in both"});
 }
 
-TEST_CASE("A bounce on rough ground loses more along than across", "[6.4]") {
+TEST_CASE("A bounce on rough ground loses more speed along than across", "[6.4]") {
   // j_n = 15, friction takes 1.25 · 15 / 2 of the 30 along.
   StepInput in = worked_by_hand();
   in.particle.velocity.x() = 30.0;
@@ -90,7 +90,7 @@ TEST_CASE("One bounce within a step is worked by hand", "[6.4]") {
               {4.0 * eps, "the same as from common::time_of_impact"});
 }
 
-TEST_CASE("What is inside and parts stays where it is in no time", "[6.4]") {
+TEST_CASE("A particle that is inside and moves away stays in place if dt is zero", "[6.4]") {
   StepInput in = worked_by_hand();
   in.particle.position.z() = -0.01;
   in.particle.velocity.z() = 1.0;
@@ -120,7 +120,7 @@ TEST_CASE("Option 1 flies to each impact in turn at any plane and cylinder", "[6
   REQUIRE(bounces > 40);
 }
 
-TEST_CASE("After the last impact allowed the rest is projected", "[6.4]") {
+TEST_CASE("After the last allowed impact the rest of the step is projected", "[6.4]") {
   tests::Random random(663);
   for (int i = 1; i <= 40; ++i) {
     StepInput in = random_input(random, i);
@@ -129,7 +129,7 @@ TEST_CASE("After the last impact allowed the rest is projected", "[6.4]") {
   }
 }
 
-TEST_CASE("After an impact without restitution the rest is projected", "[6.4]") {
+TEST_CASE("After an impact without restitution the rest of the step is projected", "[6.4]") {
   tests::Random random(664);
   for (int i = 1; i <= 40; ++i) {
     StepInput in = random_input(random, i);
@@ -138,7 +138,7 @@ TEST_CASE("After an impact without restitution the rest is projected", "[6.4]") 
   }
 }
 
-TEST_CASE("What touches and does not part is projected from the start", "[6.4]") {
+TEST_CASE("A particle that touches and does not move away is projected from the start", "[6.4]") {
   StepInput in = worked_by_hand();
   int index = 0;
   for (const double height : {0.0, -0.5}) {
@@ -150,7 +150,7 @@ TEST_CASE("What touches and does not part is projected from the start", "[6.4]")
   }
 }
 
-TEST_CASE("What touches and parts flies until it comes back", "[6.4]") {
+TEST_CASE("A particle that touches and moves away flies until it comes back", "[6.4]") {
   StepInput in = worked_by_hand();
   in.particle.position.z() = 0.0;
   in.particle.velocity.z() = 2.5;  // back after half a second
@@ -162,7 +162,7 @@ TEST_CASE("What touches and parts flies until it comes back", "[6.4]") {
   tests::expect_impact_step(in, 9, 3, 3);
 }
 
-TEST_CASE("However slowly it leaves the ground it flies and comes back", "[6.4]") {
+TEST_CASE("A particle that leaves the ground very slowly flies and comes back", "[6.4]") {
   // Touching at a speed that is not above zero it is projected at once, above zero it bounces.
   StepInput in = worked_by_hand();
   in.particle.position.z() = 0.0;
@@ -175,7 +175,7 @@ TEST_CASE("However slowly it leaves the ground it flies and comes back", "[6.4]"
   }
 }
 
-TEST_CASE("However little comes back it bounces until the cap", "[6.4]") {
+TEST_CASE("With a very small restitution it bounces until max_impacts", "[6.4]") {
   // It arrives at 5, and at 5 e to the k after k bounces; what is left of the step it lies.
   StepInput in = worked_by_hand();
   in.dt = 1.5;

@@ -35,14 +35,14 @@ TEST_CASE("A mass of 3 at 2 inwards with e one half gets 9", "[6.1]") {
   expect_impulse({3.0, Vec3(4.0, 5.0, -2.0), Vec3::UnitZ(), 0.5}, {0.0, "small whole numbers"});
 }
 
-TEST_CASE("A particle that parts or slides gets no impulse", "[6.1]") {
+TEST_CASE("A particle that moves away or slides gets no impulse", "[6.1]") {
   const tests::Bound none{0.0, "there is nothing to stop, and zero is exact"};
   expect_impulse({3.0, Vec3(4.0, 5.0, 2.0), Vec3::UnitZ(), 0.5}, none, 1, 3);
   expect_impulse({3.0, Vec3(4.0, 5.0, 0.0), Vec3::UnitZ(), 0.5}, none, 2, 3);
   expect_impulse({3.0, Vec3(-2.0, 0.0, 0.0), -Vec3::UnitX(), 1.0}, none, 3, 3);
 }
 
-TEST_CASE("The normal impulse is that of any mass and direction", "[6.1]") {
+TEST_CASE("The normal impulse is right for any mass and direction", "[6.1]") {
   tests::Random random(621);
   int impacts = 0;
   for (int i = 1; i <= 100; ++i) {
@@ -75,7 +75,7 @@ TEST_CASE("The particle leaves e times as fast as it came", "[6.1]") {
   }
 }
 
-TEST_CASE("The slower a particle the smaller the impulse and no speed is too small", "[6.1]") {
+TEST_CASE("A slower particle gets a smaller impulse and no speed is too small", "[6.1]") {
   int index = 0;
   for (const double speed : {1e-3, 1e-9, 1e-12, 1e-15, 1e-100, 1e100}) {
     const NormalCase c{0.8, Vec3(0.0, -speed, 0.0), Vec3::UnitY(), 0.25};
@@ -83,7 +83,7 @@ TEST_CASE("The slower a particle the smaller the impulse and no speed is too sma
   }
 }
 
-TEST_CASE("However slowly it parts there is no impulse", "[6.1]") {
+TEST_CASE("There is no impulse if a particle moves away even very slowly", "[6.1]") {
   int index = 0;
   for (const double speed : {1e-3, 1e-9, 1e-12, 1e-15, 1e-100}) {
     const NormalCase c{2.0, Vec3(3.0, speed, 0.0), Vec3::UnitY(), 0.25};
@@ -91,7 +91,7 @@ TEST_CASE("However slowly it parts there is no impulse", "[6.1]") {
   }
 }
 
-TEST_CASE("Restitution near none and near all is not rounded to it", "[6.1]") {
+TEST_CASE("A restitution near 0 or 1 is not rounded", "[6.1]") {
   int index = 0;
   for (const double e : {1e-3, 1e-9, 1e-12, 1.0 - 1e-3, 1.0 - 1e-9, 1.0 - 1e-12}) {
     expect_impulse({1.0, Vec3(2.0, 0.0, -1.0), Vec3::UnitZ(), e},

@@ -74,7 +74,7 @@ TEST_CASE("With both corrections a particle at rest rests", "[6.4]") {
   }
 }
 
-TEST_CASE("A block slips where the slope is steeper than mu", "[6.4]") {
+TEST_CASE("A block slips if the slope is steeper than mu", "[6.4]") {
   constexpr int steps = 100;
   constexpr double mu = 0.5;
   int index = 0;

@@ -70,7 +70,7 @@ TEST_CASE("A step into the ground is worked by hand", "[6.4]") {
   projection_trial(in, 1, 1).expect(tests::projected_by_answer(in), wanted, exact_fractions);
 }
 
-TEST_CASE("On rough ground friction is stronger than the ground", "[6.4]") {
+TEST_CASE("On rough ground the friction may exceed the normal impulse", "[6.4]") {
   // mu j_n = 27 of 60, and 1.5 of a way of 7.5.
   StepInput in = projection_by_hand();
   in.particle.velocity.x() = 30.0;
@@ -88,7 +88,7 @@ TEST_CASE("In flight velocity comes before position and nothing else happens", "
   }
 }
 
-TEST_CASE("A step by projection is as stated at any plane and cylinder", "[6.4]") {
+TEST_CASE("A step by projection follows its equations at any plane and cylinder", "[6.4]") {
   tests::Random random(652);
   int contacts = 0;
   for (int i = 1; i <= 200; ++i) {
@@ -100,7 +100,7 @@ TEST_CASE("A step by projection is as stated at any plane and cylinder", "[6.4]"
   REQUIRE(contacts < 198);
 }
 
-TEST_CASE("Each correction is made where it is asked for", "[6.4]") {
+TEST_CASE("Each correction is made if it is asked for and only then", "[6.4]") {
   tests::Random random(653);
   int index = 0;
   for (const bool normal : {false, true}) {
@@ -114,7 +114,7 @@ TEST_CASE("Each correction is made where it is asked for", "[6.4]") {
   }
 }
 
-TEST_CASE("What is inside and parts gets no impulse but is moved out", "[6.4]") {
+TEST_CASE("A particle inside that moves away gets no impulse but is moved out", "[6.4]") {
   tests::Random random(654);
   for (int i = 1; i <= 40; ++i) {
     StepInput in = random_input(random, i, -0.3);
@@ -132,7 +132,8 @@ TEST_CASE("Without time a particle inside is moved out and its approach is stopp
   expect_step(in, exact_fractions, 2, 2);
 }
 
-TEST_CASE("However little it is inside there is an impulse and none outside", "[6.4]") {
+TEST_CASE("A particle that is hardly inside gets an impulse and one hardly outside does not",
+          "[6.4]") {
   int index = 0;
   for (const double height : {1e-3, 1e-9, 1e-12, 1e-15, 1e-90}) {
     for (const double side : {-1.0, 1.0}) {
@@ -145,7 +146,7 @@ TEST_CASE("However little it is inside there is an impulse and none outside", "[
   }
 }
 
-TEST_CASE("However slowly it approaches inside there is an impulse and none where it parts",
+TEST_CASE("Inside even a very slow approach gets an impulse and a slow departure does not",
           "[6.4]") {
   int index = 0;
   for (const double speed : {1e-3, 1e-9, 1e-12, 1e-15, 1e-90}) {

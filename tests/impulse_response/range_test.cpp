@@ -16,7 +16,7 @@ constexpr double most = 1e100;
 
 }  // namespace
 
-TEST_CASE("The normal impulse of the least and the most that there is", "[6.1]") {
+TEST_CASE("The normal impulse is right for the smallest and largest numbers", "[6.1]") {
   int index = 0;
   for (const auto& [mass, speed] : {std::pair{most, 0.5},
                                     {most, least},
@@ -33,7 +33,7 @@ TEST_CASE("The normal impulse of the least and the most that there is", "[6.1]")
   }
 }
 
-TEST_CASE("Friction of the least and the most that there is", "[6.2]") {
+TEST_CASE("Friction is right for the smallest and largest numbers", "[6.2]") {
   const Vec3 along(0.6, 0.8, 0.0);
   for (const double mass : {least, 1.0, most}) {
     for (const double momentum : {least, 1.0, most}) {  // |m v_t|
@@ -56,7 +56,7 @@ TEST_CASE("Friction of the least and the most that there is", "[6.2]") {
   }
 }
 
-TEST_CASE("Corrections of the least and the most that there is", "[6.3]") {
+TEST_CASE("Corrections are right for the smallest and largest numbers", "[6.3]") {
   const Vec3 along(0.6, 0.8, 0.0);
   for (const double way : {least, 1.0, most}) {
     tests::trial_of("6.3 normal_correction")
@@ -79,7 +79,7 @@ TEST_CASE("Corrections of the least and the most that there is", "[6.3]") {
   }
 }
 
-TEST_CASE("A step by projection of the least and the most that there is", "[6.4]") {
+TEST_CASE("A step by projection is right for the smallest and largest numbers", "[6.4]") {
   // The step of the handout with all lengths times `size`.
   int index = 0;
   for (const double size : {4.0 * least, 0.05 * most}) {
@@ -97,7 +97,7 @@ TEST_CASE("A step by projection of the least and the most that there is", "[6.4]
   }
 }
 
-TEST_CASE("A step to impact of the least and the most that there is", "[6.4]") {
+TEST_CASE("A step to impact is right for the smallest and largest numbers", "[6.4]") {
   // 1.25 above the ground, g = 10: it arrives at 5 after half a second; all lengths times `size`.
   int index = 0;
   for (const double size : {8.0 * least, 0.05 * most}) {
@@ -116,7 +116,7 @@ TEST_CASE("A step to impact of the least and the most that there is", "[6.4]") {
   }
 }
 
-TEST_CASE("A contact of the least and the most that there is", "[6.5]") {
+TEST_CASE("A contact is right for the smallest and largest numbers", "[6.5]") {
   // The rod of the handout sticks: j = (-15, 0, 57)/16. K goes with `yields`, and j with the
   // velocity over it; lever arms go with `length`, and inertias with its square.
   int index = 0;

@@ -101,7 +101,7 @@ TEST_CASE("A point of the body goes to where the turn and the shift take it", "[
   }
 }
 
-TEST_CASE("A world point is found again in the body", "[1.2]") {
+TEST_CASE("body_point takes a world point back to the body frame", "[1.2]") {
   tests::Random random(22);
   for (int i = 1; i <= 100; ++i) {
     const RigidBodyState state = random_state(random);
@@ -128,7 +128,7 @@ TEST_CASE("The centre of mass is the origin of the body frame", "[1.2]") {
               suspects_of_body_point(state, state.position));
 }
 
-TEST_CASE("Far from the origin a body point keeps the digits that the difference has", "[1.2]") {
+TEST_CASE("Far from the origin a body point is as exact as the difference of the points", "[1.2]") {
   tests::Random random(24);
   RigidBodyState state = random_state(random);
   state.position = {1e9, -2e9, 3e9};

@@ -77,7 +77,8 @@ std::vector<tests::Suspect<Quat>> suspects_of_step(const Quat& q, const Vec3& om
 
 }  // namespace
 
-TEST_CASE("A third of a turn about z is one half and the root of three quarters", "[1.6]") {
+TEST_CASE("A third of a turn about z has the parts one half and the root of three quarters",
+          "[1.6]") {
   const Vec3 a(0.0, 0.0, 4.0 * std::acos(0.0) / 3.0);
   map_trial(a).expect(exponential_map(a), Quat(0.5, 0.0, 0.0, std::sqrt(0.75)),
                       {8.0 * eps, "a sine, a cosine and the rounding of the angle"},
@@ -140,12 +141,12 @@ TEST_CASE("Up to 1e300 every turn is a unit quaternion", "[1.6]") {
   }
 }
 
-TEST_CASE("No turn is the identity", "[1.6]") {
+TEST_CASE("The map of a zero vector is the identity", "[1.6]") {
   map_trial(Vec3::Zero())
       .expect(exponential_map(Vec3::Zero()), Quat(Quat::Identity()), {0.0, "cos 0 = 1, exactly"});
 }
 
-TEST_CASE("A turn and the same turn back cancel and every turn is unit", "[1.6]") {
+TEST_CASE("A turn and the same turn back cancel and every turn is a unit quaternion", "[1.6]") {
   tests::Random random(63);
   for (int i = 1; i <= 50; ++i) {
     const Vec3 a = random.vector(4.0);
@@ -174,7 +175,7 @@ TEST_CASE("A step turns the world side of the attitude", "[1.6]") {
   }
 }
 
-TEST_CASE("However slow the spin a step turns by it", "[1.6]") {
+TEST_CASE("A step turns by the spin even if it is very slow", "[1.6]") {
   for (const double speed : {1e-6, 1e-9, 1e-100}) {
     const Vec3 omega(2.0 * speed, -3.0 * speed, 6.0 * speed);
     Quat q = step_exponential(Quat::Identity(), omega, 0.5);
@@ -232,7 +233,7 @@ TEST_CASE("A constant spin is exact at any step size", "[1.6]") {
   }
 }
 
-TEST_CASE("Fed with omega at the middle of the step it has order two on a coning motion", "[1.6]") {
+TEST_CASE("With omega from the middle of the step it has order two on a coning motion", "[1.6]") {
   const auto step = [](const common::ConingMotion& motion, const Quat& q, double t, double dt) {
     return step_exponential(q, angular_velocity(motion, t + 0.5 * dt), dt);
   };
@@ -240,7 +241,7 @@ TEST_CASE("Fed with omega at the middle of the step it has order two on a coning
                       2.0);
 }
 
-TEST_CASE("Fed with omega at the start of the step it has order one only", "[1.6]") {
+TEST_CASE("With omega from the start of the step it has only order one", "[1.6]") {
   const auto step = [](const common::ConingMotion& motion, const Quat& q, double t, double dt) {
     return step_exponential(q, angular_velocity(motion, t), dt);
   };
@@ -248,7 +249,7 @@ TEST_CASE("Fed with omega at the start of the step it has order one only", "[1.6
                       1.0);
 }
 
-TEST_CASE("Sampled once a turn of omega the midpoint rule sees a constant spin", "[1.6]") {
+TEST_CASE("If omega is sampled once per turn the midpoint rule sees a constant spin", "[1.6]") {
   // Where omega itself turns by x = rate dt a step, the turn it misses is of order x²: at a whole
   // turn every sample is the same, and the result is a steady spin about a wrong axis.
   const common::ConingMotion motion = tests::coning_motion();

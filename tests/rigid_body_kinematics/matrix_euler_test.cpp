@@ -82,7 +82,7 @@ TEST_CASE("A body that does not spin keeps its attitude exactly", "[1.4]") {
   step_trial(R, Vec3::UnitX(), 0.0).expect(step_matrix_euler(R, Vec3::UnitX(), 0.0), R, exact);
 }
 
-TEST_CASE("However slow the spin the matrix changes by it", "[1.4]") {
+TEST_CASE("The matrix changes by the spin even if it is very slow", "[1.4]") {
   for (const double speed : {1e-6, 1e-9, 1e-100}) {
     const Vec3 omega(2.0 * speed, -3.0 * speed, 6.0 * speed);
     const Mat3 R = Mat3::Identity();
@@ -105,7 +105,9 @@ TEST_CASE("Euler on the matrix converges with order one on a coning motion", "[1
   tests::expect_order(Trial("1.4 step_matrix_euler"), start, step, 1.0);
 }
 
-TEST_CASE("Each Euler step swells R across omega by sqrt of 1 plus theta squared", "[1.4]") {
+TEST_CASE(
+    "Without repair each step stretches the matrix across omega by sqrt of 1 plus theta squared",
+    "[1.4]") {
   tests::Random random(42);
   for (const double x : {0.001, 0.01, 0.1, 1.0}) {
     const Vec3 axis = random.direction();
@@ -130,7 +132,7 @@ TEST_CASE("Each Euler step swells R across omega by sqrt of 1 plus theta squared
   }
 }
 
-TEST_CASE("The swelling passes one per cent where the formula says", "[1.4]") {
+TEST_CASE("The stretch passes one per cent at the step size of the formula", "[1.4]") {
   // sqrt2 ((1 + x²)^n − 1) = 0.01.
   const double x = 0.01;
   const double threshold = std::log1p(0.01 / std::sqrt(2.0)) / std::log1p(x * x);

@@ -87,7 +87,7 @@ TEST_CASE("A rotation is its own nearest rotation", "[1.4]") {
   }
 }
 
-TEST_CASE("A stretched and sheared rotation is found again", "[1.4]") {
+TEST_CASE("The rotation in a stretched and sheared matrix is found", "[1.4]") {
   tests::Random random(44);
   for (int i = 1; i <= 100; ++i) {
     const double s = random.uniform(0.5, 1.0);
@@ -114,7 +114,7 @@ TEST_CASE("A flat matrix of rank two still gives the nearest rotation", "[1.4]")
   }
 }
 
-TEST_CASE("On either side of a determinant of zero the nearest rotation is the same", "[1.4]") {
+TEST_CASE("Just above and below a determinant of zero the nearest rotation is found", "[1.4]") {
   tests::Random random(49);
   int index = 0;
   for (const double least : {1e-9, 1e-12, 4.0 * eps, -1e-9, -1e-12, -4.0 * eps}) {
@@ -145,7 +145,7 @@ TEST_CASE("No rotation is nearer than the one returned", "[1.4]") {
   }
 }
 
-TEST_CASE("Where several rotations are nearest it is one of them or an error", "[1.4]") {
+TEST_CASE("If several rotations are nearest it returns one of them or throws", "[1.4]") {
   // Rank one, zero and −1: no direction is best. The least |Q − A|² is Σ (s_i − 1)², the least
   // singular value counted with the sign of the determinant.
   const Mat3 rank_one = Vec3(1.0, 2.0, 2.0) * Vec3(0.0, 0.6, 0.8).transpose();
@@ -171,7 +171,7 @@ TEST_CASE("Where several rotations are nearest it is one of them or an error", "
   }
 }
 
-TEST_CASE("A matrix that is not finite is an error", "[1.4]") {
+TEST_CASE("A matrix that is not finite is refused", "[1.4]") {
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     Mat3 A = Mat3::Identity();
@@ -203,6 +203,7 @@ TEST_CASE("A projected Euler step turns by the arc tangent of theta about any ax
              {swollen.colwise().normalized(),
               "only the columns' lengths are corrected, not the angles between them: use the SVD"},
              {tests::rotation(x, a).toRotationMatrix(),
-              "this is the exact turn by x: project the matrix, which turns only by atan x"}});
+              "this is the exact turn by theta: project the matrix, which turns only by atan "
+              "theta"}});
   }
 }

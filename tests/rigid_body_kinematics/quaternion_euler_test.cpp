@@ -119,7 +119,7 @@ TEST_CASE("The attitude stays a unit quaternion over many steps", "[1.5]") {
   }
 }
 
-TEST_CASE("Without a spin or a step the attitude stays", "[1.5]") {
+TEST_CASE("Without a spin or a step the attitude does not change", "[1.5]") {
   tests::Random random(53);
   const Quat q = random.attitude();
   const tests::Bound rounding{4.0 * eps, "only the normalisation rounds"};
@@ -128,7 +128,7 @@ TEST_CASE("Without a spin or a step the attitude stays", "[1.5]") {
       .expect(step_quaternion_euler(q, Vec3::UnitX(), 0.0), q, rounding);
 }
 
-TEST_CASE("However slow the spin the quaternion turns by it", "[1.5]") {
+TEST_CASE("The quaternion turns by the spin even if it is very slow", "[1.5]") {
   for (const double speed : {1e-6, 1e-9, 1e-100}) {
     const Vec3 omega(2.0 * speed, -3.0 * speed, 6.0 * speed);
     const Quat q = step_quaternion_euler(Quat::Identity(), omega, 0.5);
@@ -155,7 +155,7 @@ TEST_CASE("A quaternion step turns by twice the arc tangent of theta over 2", "[
   }
 }
 
-TEST_CASE("However large the step it never turns more than half a turn", "[1.5]") {
+TEST_CASE("Even a very large step turns by at most half a turn", "[1.5]") {
   for (const double x : {4.0, 100.0, 1e8, 0.99e100}) {
     const Quat q = step_quaternion_euler(Quat::Identity(), Vec3::UnitX(), x);
     const Trial trial = step_trial(Quat::Identity(), Vec3::UnitX(), x);
@@ -180,7 +180,7 @@ TEST_CASE("At any size of omega and of dt a quaternion step turns by their produ
   }
 }
 
-TEST_CASE("The lag passes one per cent where the formula says", "[1.5]") {
+TEST_CASE("The lag passes one per cent at the step size of the formula", "[1.5]") {
   // x − 2 atan(x/2) = x/100, by bisection: x = 0.3496.
   double low = 0.1;
   double high = 1.0;

@@ -37,7 +37,7 @@ double number(const std::string& text, const std::string& where) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
   if (text.empty() || *end != '\0') {
-    throw std::runtime_error(where + ": want a number, not '" + text + "'");
+    throw std::runtime_error(where + ": expected a number, got '" + text + "'");
   }
   return value;
 }
@@ -50,7 +50,8 @@ Points points_in(const std::string& path) {
   for (int count = 2; std::getline(file, line); ++count) {
     const std::string where = path + ":" + std::to_string(count);
     const std::vector<std::string> fields = fields_of(line);
-    if (fields.size() != 9) throw std::runtime_error(where + ": want nine columns");
+    if (fields.size() != 9)
+      throw std::runtime_error(where + ": expected nine columns; draw that chart again");
     if (fields[8] == "not_implemented") continue;
     points[fields[1]].push_back({number(fields[2], where), number(fields[3], where),
                                  number(fields[5], where), number(fields[7], where),

@@ -29,8 +29,8 @@ void require_names(const std::vector<Written>& all) {
   for (const Written& chart : all) {
     if (chart.name.empty() || chart.name.find_first_not_of(
                                   "abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos) {
-      throw std::invalid_argument("a chart's name is letters a to z, digits and _, not '" +
-                                  chart.name + "'");
+      throw std::invalid_argument(
+          "a chart's name may have only letters a to z, digits and _, not '" + chart.name + "'");
     }
     if (!names.insert(chart.name).second) {
       throw std::invalid_argument("two charts have the name " + chart.name);

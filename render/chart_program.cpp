@@ -53,8 +53,8 @@ std::string lab_number(const std::string& lab) { return lab.substr(0, lab.find('
 
 std::string note_of(const Chart& chart, Extent extent) {
   if (extent == Extent::full) return "";
-  return "a short measurement, of few repeats and without the longest runs; the full one: ./tumble "
-         "chart " +
+  return "a short measurement: few repeats, no long runs; for the full one: "
+         "./tumble chart " +
          lab_number(chart.lab);
 }
 
@@ -132,10 +132,12 @@ void draw(const ChartPlan& plan, const Options& options) {
   remove_empty(set.histories, left_out);
   for (const std::string& what : left_out) std::cerr << "left out: " << what << '\n';
   if (set.charts.empty() && set.histories.empty()) {
-    throw std::runtime_error("nothing to draw: none of the lab's methods is written yet");
+    throw std::runtime_error(
+        "nothing to draw: none of the lab's methods is written yet; begin with ./tumble test");
   }
   if (!write_charts(set, options.folder)) {
-    std::cerr << "no pictures: gnuplot is not installed (CSV files and scripts are written)\n";
+    std::cerr
+        << "no pictures, because gnuplot is not installed (CSV files and scripts are written)\n";
   }
 }
 
@@ -145,7 +147,7 @@ int chart_main(int argc, char** argv, const ChartPlan& plan) {
   return common::run_main([&] {
     const Options options = options_from(argc, argv);
     if (options.request.peers)
-      throw std::runtime_error("this lab has no peers to draw: leave out --peers");
+      throw std::runtime_error("this lab has no other engines to draw: leave out --peers");
     draw(plan, options);
   });
 }

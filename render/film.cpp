@@ -53,15 +53,16 @@ void fit_to_film(FilmOptions& options, const Film& film) {
   require(std::isfinite(film.duration) && film.duration > 0.0,
           "the film's duration is not positive and finite");
   require(static_cast<bool>(film.scene_at),
-          film.missing.empty() ? "the film has no scenes"
-                               : "nothing to draw: not written yet: " + listed(film.missing));
+          film.missing.empty()
+              ? "the film has no scenes"
+              : "nothing to draw, because not written yet: " + listed(film.missing));
   if (options.to < 0.0) options.to = film.duration;
   std::ostringstream end;
   end << film.duration << " s";
-  require(options.to <= film.duration, "--to lies after the film's end at " + end.str());
+  require(options.to <= film.duration, "--to is after the film's end at " + end.str());
   require(options.from <= options.to,
-          "--from lies after " + (options.to < film.duration ? std::string("--to")
-                                                             : "the film's end at " + end.str()));
+          "--from is after " + (options.to < film.duration ? std::string("--to")
+                                                           : "the film's end at " + end.str()));
 }
 
 int frames_of(const FilmOptions& options) {
@@ -69,7 +70,7 @@ int frames_of(const FilmOptions& options) {
   const double frames =
       std::floor((options.to - options.from) * options.frames_per_second + rounding) + 1.0;
   constexpr double most = 100000.0;
-  require(frames <= most, "more than 100000 frames");
+  require(frames <= most, "more than 100000 frames: give a smaller --fps or a shorter time");
   return static_cast<int>(frames);
 }
 
@@ -102,7 +103,7 @@ void draw_frames(Renderer& renderer, const Film& film, const FilmOptions& option
   written.get();
   for (const auto& [complaint, time] : broken) {
     std::cerr << "left out from " << time_stamp(time) << ": " << complaint
-              << "; ./tumble test says which step it comes of\n";
+              << "; ./tumble test shows which step is wrong\n";
   }
 }
 
@@ -159,7 +160,7 @@ void make(FilmOptions options, const std::function<Film()>& make_film) {
   const Film film = make_film();
   fit_to_film(options, film);
   if (!film.missing.empty()) {
-    std::cerr << "left out, since not written yet or broken: " << listed(film.missing) << '\n';
+    std::cerr << "left out, because not written yet or broken: " << listed(film.missing) << '\n';
   }
   const int frames = frames_of(options);
   StagedFolder folder(options.folder, is_film_file);

@@ -43,14 +43,14 @@ void read_size(PictureOptions& picture, const std::string& option, const std::st
 }
 
 double frame_rate(const std::string& option, const std::string& value) {
-  constexpr const char* wanted = "a number in (0, 240]";
+  constexpr const char* wanted = "a number above 0 and up to 240";
   const double frames_per_second = number(option, value, wanted);
   if (frames_per_second <= 0.0 || frames_per_second > 240.0) fail(option, value, wanted);
   return frames_per_second;
 }
 
 double time_of(const std::string& option, const std::string& value) {
-  constexpr const char* wanted = "a time from 0 [s]";
+  constexpr const char* wanted = "a time in seconds, zero or more";
   const double time = number(option, value, wanted);
   if (time < 0.0) fail(option, value, wanted);
   return time;
@@ -90,8 +90,8 @@ FilmOptions film_options(int argc, const char* const* argv) {
     const bool has_value = i + 1 < argc;
     if (!read_option(options, option, has_value ? argv[i + 1] : "")) {
       throw std::invalid_argument("unknown argument " + option +
-                                  "; known: --out DIR --size WxH --fps F --from S --to S "
-                                  "--quality draft|film|report --white");
+                                  "; the arguments are --out DIR --size WxH --fps F --from S --to "
+                                  "S --quality draft|film|report --white");
     }
     if (!has_value) throw std::invalid_argument(option + " needs a value");
     ++i;

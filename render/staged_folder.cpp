@@ -47,7 +47,7 @@ void StagedFolder::require_own_files() const {
   for (const fs::directory_entry& entry : fs::directory_iterator(target_)) {
     const std::string name = entry.path().filename().string();
     if (!entry.is_regular_file() || !is_own_(name)) {
-      fail(target_, "it holds " + name + ", which would be lost");
+      fail(target_, "it contains " + name + ", which would be lost; choose another folder");
     }
   }
 }

@@ -76,6 +76,6 @@ TEST_CASE("A measurement that is cut off or spoilt is refused by its line") {
     } catch (const std::runtime_error& error) {
       message = error.what();
     }
-    CHECK(message.find("chart.csv:8: want") != std::string::npos);
+    CHECK(message.find("chart.csv:8: expected") != std::string::npos);
   }
 }

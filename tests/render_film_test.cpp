@@ -131,7 +131,7 @@ TEST_CASE("What an answer makes NaN is left out and told and the rest is drawn",
   });
   CHECK(outcome.code == 0);
   CHECK(outcome.said.find("left out from t = 0.60 s: box 1: orientation is not finite; ./tumble "
-                          "test says which step it comes of\n") != std::string::npos);
+                          "test shows which step is wrong\n") != std::string::npos);
   CHECK(outcome.said.find("box 2") == std::string::npos);
   CHECK(files_in(out) == 11 + 2);
 }
@@ -139,7 +139,7 @@ TEST_CASE("What an answer makes NaN is left out and told and the rest is drawn",
 TEST_CASE("A start after the end of the film is told where that is", "[render_film]") {
   const Outcome outcome = run({"--out", "/nowhere/film", "--from", "99"});
   CHECK(outcome.code != 0);
-  CHECK(outcome.said == "error: --from lies after the film's end at 1 s\n");
+  CHECK(outcome.said == "error: --from is after the film's end at 1 s\n");
 }
 
 TEST_CASE("A film that fails leaves the folder as it was", "[render_film]") {

@@ -107,14 +107,14 @@ int main(int argc, char** argv) {
   chart.lab = "1_rigid_body_kinematics";
   chart.title = "Attitude of a coning body: error against computing time";
   chart.subtitle =
-      "ω sweeps a cone once a second, ten turns, 4 to 16384 steps a turn; dashed: the order in "
+      "ω sweeps a cone once per second, ten turns, 4 to 16384 steps per turn; dashed: order in "
       "theory";
   chart.error_name = "largest attitude error";
   chart.error_unit = "rad";
   chart.work_unit = "turn";
   chart.parameter_name = "steps a turn";
   chart.failure_error = no_attitude_is_further;
-  chart.failure_text = "beyond 2 no rotation can be: R is none any more";
+  chart.failure_text = "above 2, R is not a rotation any more";
   chart.rounding_floor = 2.2e-16;
   return render::chart_main(argc, argv, {{{chart, methods()}}, {}, {}});
 }

@@ -92,8 +92,9 @@ std::string measured(const std::vector<Track>& tracks) {
 render::Film make_film() {
   render::Film film;
   film.title = "One spin, two integrators";
-  film.subtitle = "the same ω(t): the exponential map keeps the box, raw Euler on R swells it";
-  film.parameters = "ω(0) = (3, 0, 2) rad/s, coning about z at half a turn a second, dt = 0.04 s";
+  film.subtitle =
+      "same ω(t): the exponential map keeps the shape of the box, plain Euler on R swells it";
+  film.parameters = "ω(0) = (3, 0, 2) rad/s, coning about z at half a turn per second, dt = 0.04 s";
   film.duration = duration;
   film.strip_times = {0.0, 0.8, 1.6, 2.4, 3.2, 4.0};
   film.bounds = {{-2.1, -0.9, 0.0}, {2.5, 0.6, 2.35}};

@@ -125,7 +125,7 @@ render::MeasuredChart chart(const char* name, const char* title, const char* sub
   chart.work_unit = "50 revolutions";
   chart.parameter_name = "steps a revolution";
   chart.failure_error = nothing_is_known;
-  chart.failure_text = "a radian off and above: the attitude tells nothing";
+  chart.failure_text = "from one radian on, the attitude is lost";
   chart.rounding_floor = 2.2e-16;
   return {chart, methods};
 }
@@ -167,7 +167,7 @@ render::RecordedChart long_run(const Problem& p) {
   chart.name = "history";
   chart.lab = "2_gyroscopic_tumbling";
   chart.title = "Ten minutes of tumbling at 60 steps a second";
-  chart.subtitle = "what the methods add to or eat of energy and angular momentum";
+  chart.subtitle = "how much the methods change energy and angular momentum";
   chart.panels = {{"|E/E(0) − 1|", "", true, 1e-16, 10.0, {}},
                   {"||L|/|L(0)| − 1|", "", true, 1e-16, 10.0, {}}};
   return {
@@ -187,12 +187,13 @@ render::ChartPlan plan(const render::ChartRequest& request) {
   render::ChartPlan plan;
   plan.charts = {
       chart("racket", "A racket turning over: error against computing time",
-            "I = (1, 2, 3), a turn a second about the middle axis, off by a hundredth",
+            "I = (1, 2, 3), one turn per second about the middle axis, off by a hundredth",
             free_methods(racket)),
       chart("tumble", "A tumbling body: error against computing time",
-            "I = (1, 2, 3), a turn a second about (1, 1, 1)", free_methods(tumble)),
+            "I = (1, 2, 3), one turn per second about (1, 1, 1)", free_methods(tumble)),
       chart("top", "A heavy top: error against computing time",
-            "leant over by 30°, its axis let go at rest, 30 rad/s about it", top_methods(top))};
+            "leaning by 30°, released with its axis at rest, 30 rad/s about the axis",
+            top_methods(top))};
   plan.histories = {long_run(tumble)};
   if (!request.peers) return plan;
   for (const Peer& peer : peers()) {

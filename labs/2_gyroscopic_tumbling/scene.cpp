@@ -211,9 +211,9 @@ std::string measured(const std::optional<Track>& handle, const std::optional<Tra
 
 render::Film make_film() {
   render::Film film;
-  film.title = "The turn-over, its polhode, and a top";
-  film.subtitle = "L rests, ω does not; the explicit loop (orange) runs off the energy ellipsoid";
-  film.parameters = "I = (1, 2, 3) kg m², a turn a second about the stem; dt = 0.02 s";
+  film.title = "A body that turns over, its polhode, and a top";
+  film.subtitle = "L is constant, ω is not; the explicit loop (orange) leaves the energy ellipsoid";
+  film.parameters = "I = (1, 2, 3) kg m², one turn per second about the stem; dt = 0.02 s";
   film.duration = duration;
   film.strip_times = {0.0, 1.6, 2.2, 6.4};
   film.bounds = {{-2.6, -0.9, 0.0}, {2.9, 0.7, 2.45}};

@@ -52,8 +52,8 @@ render::Chart chart(const char* name, const char* title, const char* subtitle) {
 
 render::MeasuredChart missed_chart() {
   render::Chart words = chart("chart", "Crossings that samples miss, against computing time",
-                              "1 to 1024 samples a step, at all distances from the axis and in all "
-                              "phases; dashed: the order in theory");
+                              "1 to 1024 samples per step, at all distances from the axis and in "
+                              "all phases; dashed: order in theory");
   words.error_name = "crossings missed";
   words.error_unit = "share";
   words.failure_error = missed_at_a_diameter;
@@ -67,10 +67,10 @@ render::MeasuredChart missed_chart() {
 }
 
 render::MeasuredChart lateness_chart() {
-  render::Chart words = chart("lateness", "How late samples find a contact, against computing time",
-                              "of the crossings that are found, 1 to 1024 samples a step; dashed: "
-                              "the order in theory");
-  words.error_name = "too late by";
+  render::Chart words = chart(
+      "lateness", "How late samples find a contact, against computing time",
+      "for the crossings that are found, 1 to 1024 samples per step; dashed: order in theory");
+  words.error_name = "delay";
   words.error_unit = "steps";
   const auto largest = [](const Findings& found) {
     return std::pair(found.largest_lateness(), true);
@@ -108,13 +108,12 @@ render::RecordedChart cloth_chart() {
   words.lab = "3_discrete_particle_cylinder";
   words.title = "Is it enough to check the particles of a cloth?";
   words.subtitle =
-      "equilateral triangles anywhere; from h = √3 ρ the axis pierces some between their "
-      "particles, "
-      "from 2√3 ρ between their edges";
+      "equilateral triangles anywhere; the axis passes through some: from h = √3 ρ between "
+      "particles, from 2√3 ρ between edges";
   words.x_name = "edge length h";
   words.x_unit = "ρ";
-  words.panels = {{"unseen, share of all triangles inside", "", true, 1e-5, 1.0, {}},
-                  {"how deep inside the deepest unseen is", "ρ", false, 0.0, 1.05, {}}};
+  words.panels = {{"share of the triangles inside that is unseen", "", true, 1e-5, 1.0, {}},
+                  {"depth of the deepest unseen triangle", "ρ", false, 0.0, 1.05, {}}};
   const auto by_particles = [](double length) {
     return unseen(length, [](const Triangle& t) { return particles_see(t, 0.0); });
   };

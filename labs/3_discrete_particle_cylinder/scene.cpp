@@ -131,7 +131,8 @@ render::Film make_film() {
   render::Film film;
   film.title = "Is it enough to check the particles?";
   film.subtitle =
-      "no particle of the left cloth is inside, its edges (red) are; a third of the shots tunnels";
+      "no particle of the left cloth is inside, but its edges (red) are; a third of the shots "
+      "tunnel";
   film.parameters = "R = 35 cm, cloth 2 cm thick, cells of 30 cm";
   film.duration = duration;
   film.strip_times = {0.2, 0.5, 1.4, 3.2};

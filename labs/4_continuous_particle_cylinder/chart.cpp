@@ -134,7 +134,7 @@ render::MeasuredChart chart(const char* name, const char* title, const char* sub
   chart.work_unit = "query";
   chart.parameter_name = "samples, or tolerance [m]";
   chart.failure_error = nothing_is_known;
-  chart.failure_text = "a hit is missed, or is none: nothing is known of dt";
+  chart.failure_text = "a hit is missed or invented: off by dt";
   chart.rounding_floor = 1.1e-16;
   return {chart, methods};
 }

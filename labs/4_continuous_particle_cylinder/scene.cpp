@@ -120,7 +120,7 @@ std::string measured(const std::vector<Group>& groups, const std::optional<EdgeI
 render::Film make_film() {
   render::Film film;
   film.title = "Bullets at a cylinder";
-  film.subtitle = "samples miss (red) or come late, once on the wrong side; t* is on the surface";
+  film.subtitle = "samples miss (red) or are late, once on the far side; t* is on the surface";
   film.parameters = "R = 0.5 m, r = 5/64 m, 1 m/s, samples 1.1 s apart";
   film.duration = 2.4;
   film.strip_times = {0.3, 0.8, 1.3, 2.3};

@@ -131,14 +131,13 @@ render::ChartPlan full_plan(bool with_peers) {
             "1k to 1M triangles each, leaves of 64 to 100k, brute force 100 to 3k; a cross: pairs "
             "are lost",
             of_tori),
-      chart(
-          "turned", "Two spheres that meet, one turned: culling against computing time",
-          "1k to 1M triangles each, leaves of 64 to 100k; a new pose, but no new tree (Embree's is "
-          "made anew)",
-          methods(turned_spheres)),
-      chart("shells", "A sphere around another: where boxes lose",
-            "none meet, but boxes along the axes see no gap of 0.3 edges: the work grows as n; 1k "
-            "to 1M, leaves of 64 to 100k",
+      chart("turned", "Two spheres that meet, one turned: culling against computing time",
+            "1k to 1M triangles each, leaves of 64 to 100k; a new pose, but no new tree (Embree "
+            "rebuilds its own)",
+            methods(turned_spheres)),
+      chart("shells", "A sphere around another: a hard case for boxes",
+            "none meet, but boxes along the axes do not see a gap of 0.3 edges: work grows as n; "
+            "1k to 1M, leaves of 64 to 100k",
             methods(apart))};
   plan.charts.back().chart.error_unit = "per triangle";
   if (!with_peers) return plan;
@@ -169,7 +168,7 @@ render::ChartPlan plan_of(const OwnMeshes& own) {
   }
   char subtitle[120];
   std::snprintf(subtitle, sizeof subtitle,
-                "%zu and %zu triangles, the second turned: each tree once",
+                "%zu and %zu triangles, the second turned; each tree is built once",
                 shapes.a.triangles.size(), shapes.b.triangles.size());
   render::ChartPlan plan;
   plan.charts = {chart("mesh", "", subtitle, all)};

@@ -52,7 +52,8 @@ struct OwnMeshes {
     const common::Vec3 half = 0.5 * high - 0.5 * low;  // high − low may overflow
     const double widest = half.maxCoeff();
     const double to_edge = widest * (half / widest).norm();
-    if (!(widest > 0.0)) throw std::runtime_error(file(i) + ": all of it is one point");
+    if (!(widest > 0.0))
+      throw std::runtime_error(file(i) + ": all its vertices are the same point");
     for (common::Vec3& vertex : mesh.vertices) {
       vertex = radius * ((vertex - (low + half)) / to_edge);
     }

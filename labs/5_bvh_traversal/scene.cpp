@@ -118,8 +118,8 @@ render::Film make_film(const OwnMeshes& own) {
   render::Film film;
   film.title = "Two tori pass through each other";
   film.subtitle =
-      "orange: triangles that meet; lines: the boxes of level 5 that hold them; linked rings meet "
-      "nowhere";
+      "orange: triangles that meet; lines: the boxes of level 5 that hold them; linked rings do "
+      "not meet";
   film.duration = duration;
   film.strip_times = {0.4, 1.25, 2.0};
   film.bounds = {{-2.45, -0.75, -1.2}, {2.45, 0.75, 1.2}};

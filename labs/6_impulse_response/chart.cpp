@@ -31,7 +31,7 @@ render::Method method(const char* name, double order, render::Colour colour,
 
 render::MeasuredChart departure_chart() {
   render::Chart words;
-  words.title = "Letting go of a cylinder: error against computing time";
+  words.title = "Leaving a cylinder: error against computing time";
   words.subtitle =
       "no friction, from about 0.1 rad off the top at 1 m/s, largest of eight starts; dashed: "
       "theory";
@@ -59,7 +59,7 @@ render::MeasuredChart bounces_chart() {
   words.name = "bounces";
   words.title = "Ten bounces: error of their times against computing time";
   words.subtitle =
-      "a ball dropped from 1 m, e = 0.8; cap: impacts a step before option 2 takes over; dashed: "
+      "a ball dropped from 1 m, e = 0.8; cap: impacts per step before option 2 takes over; dashed: "
       "theory";
   words.lab = "6_impulse_response";
   words.error_name = "largest error of ten bounce times";
@@ -67,7 +67,7 @@ render::MeasuredChart bounces_chart() {
   words.work_unit = "ten bounces";
   words.parameter_name = "steps a second";
   words.failure_error = last_flight();
-  words.failure_text = "off by the last flight and above: a bounce is missed or made up";
+  words.failure_text = "off by the last flight or more: a bounce is missed or invented";
   words.rounding_floor = 2.2e-16;
   std::vector<double> from_one_step{0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 64.0, 256.0};
   const auto option_1 = [&](const char* name, render::Colour colour, int max_impacts) {
@@ -87,7 +87,7 @@ render::MeasuredChart incline_chart() {
   words.name = "incline";
   words.title = "A particle on a slope: error against computing time";
   words.subtitle =
-      "μ = 0.5, a second from rest. tan θ = 0.9 μ: must rest; 1.1 μ: slides. At the foot: 0. "
+      "μ = 0.5, one second from rest. tan θ = 0.9 μ: must rest; 1.1 μ: slides. At the bottom: 0. "
       "Dashed: theory";
   words.lab = "6_impulse_response";
   words.error_name = "error of the distance slid";

@@ -115,7 +115,7 @@ render::Film make_film() {
   render::Film film;
   film.title = "Impulses: particles and a brick";
   film.subtitle =
-      "grey flies, blue rests or slides, orange and red are hits; pink: the brick's impulse";
+      "grey: in flight, blue: at rest or sliding, orange and red: hits; pink: the brick's impulse";
   film.parameters =
       "10,000 particles, a sixth drawn; R = 1 m, e = 0.4, μ = 0.5, dt = 4 ms; brick 2 kg, e = 0.4, "
       "μ = 0.3";

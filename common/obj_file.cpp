@@ -102,13 +102,13 @@ class Reader {
 
   void take_vertex(const std::vector<std::string_view>& words) {
     if (words.size() < 4) {
-      fail(number_, "want three coordinates, got " + std::to_string(words.size() - 1));
+      fail(number_, "expected three coordinates, got " + std::to_string(words.size() - 1));
     }
     Vec3 vertex = Vec3::Zero();
     for (std::size_t i = 1; i < words.size(); ++i) {
       double number = 0.0;
       if (!reads_coordinate(words[i], number)) {
-        fail(number_, "this is no finite number: " + shown(words[i]));
+        fail(number_, "this is not a finite number: " + shown(words[i]));
       }
       if (i < 4) vertex[static_cast<int>(i) - 1] = number;
     }
@@ -117,7 +117,7 @@ class Reader {
 
   void take_face(const std::vector<std::string_view>& words) {
     if (words.size() < 4) {
-      fail(number_, "want three corners or more, got " + std::to_string(words.size() - 1));
+      fail(number_, "expected three corners or more, got " + std::to_string(words.size() - 1));
     }
     Face face{number_, {}};
     for (std::size_t i = 1; i < words.size(); ++i) face.corners.push_back(corner(words[i]));
@@ -138,7 +138,7 @@ class Reader {
       if (slash == std::string_view::npos) return from_first(vertex);
       rest.remove_prefix(slash + 1);
     }
-    fail(number_, "this is no index: " + shown(word));
+    fail(number_, "this is not an index: " + shown(word));
   }
 
   /// An index that counts back from the last vertex so far, −1, as one that counts from 1.

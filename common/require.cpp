@@ -19,7 +19,7 @@ std::string shortest(double value) {
 }  // namespace
 
 void refuse(const char* name, const char* wanted, double got) {
-  throw std::invalid_argument(std::string(name) + ": want " + wanted + ", got " + shortest(got));
+  throw std::invalid_argument(std::string(name) + ": must be " + wanted + ", not " + shortest(got));
 }
 
 void refuse_entry(const char* name) {
@@ -27,7 +27,7 @@ void refuse_entry(const char* name) {
 }
 
 void require_unit(const Vec3& value, const char* name) {
-  if (!(std::abs(value.norm() - 1.0) <= 1e-9)) refuse(name, "length one", value.norm());
+  if (!(std::abs(value.norm() - 1.0) <= 1e-9)) refuse(name, "of length one", value.norm());
 }
 
 }  // namespace common

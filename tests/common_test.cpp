@@ -128,13 +128,14 @@ TEST_CASE("The singular values of a matrix that is not finite are an error", "[c
 TEST_CASE("What is refused is told in digits that read back as the same number", "[common]") {
   const double inf = std::numeric_limits<double>::infinity();
   CHECK_THROWS_WITH(require_unit(Vec3(0.0, 0.0, 1.0 + 0x1p-26), "normal"),
-                    "normal: want length one, got 1.0000000149011612");
+                    "normal: must be of length one, not 1.0000000149011612");
   CHECK_THROWS_WITH(require_not_negative(-1e-9, "friction"),
-                    "friction: want a finite number from zero up, got -1e-09");
-  CHECK_THROWS_WITH(require_positive(0.0, "mass"), "mass: want a finite number above zero, got 0");
+                    "friction: must be a finite number from zero up, not -1e-09");
+  CHECK_THROWS_WITH(require_positive(0.0, "mass"),
+                    "mass: must be a finite number above zero, not 0");
   CHECK_THROWS_WITH(require_positive(-1e300, "mass"),
-                    "mass: want a finite number above zero, got -1e+300");
-  CHECK_THROWS_WITH(require_finite(-inf, "gap"), "gap: want a finite number, got -inf");
+                    "mass: must be a finite number above zero, not -1e+300");
+  CHECK_THROWS_WITH(require_finite(-inf, "gap"), "gap: must be a finite number, not -inf");
   CHECK_THROWS_WITH(refuse("restitution", "a number from 0 to 1", 1.0 + 0x1p-52),
-                    "restitution: want a number from 0 to 1, got 1.0000000000000002");
+                    "restitution: must be a number from 0 to 1, not 1.0000000000000002");
 }

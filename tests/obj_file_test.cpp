@@ -45,31 +45,31 @@ TEST_CASE("An OBJ file gives its vertices in double and its triangles", "[obj]")
 TEST_CASE("A broken OBJ file is refused in one line that names the place", "[obj]") {
   CHECK(refusal("") == "a.obj: it has no triangle");
   CHECK(refusal(corners) == "a.obj: it has no triangle");
-  CHECK(refusal(corners + "v nan 0 0\n") == "a.obj:4: this is no finite number: 'nan'");
-  CHECK(refusal(corners + "v 1 -inf 0\n") == "a.obj:4: this is no finite number: '-inf'");
-  CHECK(refusal(corners + "v 1 1e999 0\n") == "a.obj:4: this is no finite number: '1e999'");
-  CHECK(refusal(corners + "v 1 2x 0\n") == "a.obj:4: this is no finite number: '2x'");
-  CHECK(refusal(corners + "v 1 2\n") == "a.obj:4: want three coordinates, got 2");
-  CHECK(refusal(corners + "v 1 2 3 x\n") == "a.obj:4: this is no finite number: 'x'");
-  CHECK(refusal(corners + "v 0x1p3 2 3\n") == "a.obj:4: this is no finite number: '0x1p3'");
-  CHECK(refusal(corners + "v +-1 2 3\n") == "a.obj:4: this is no finite number: '+-1'");
-  CHECK(refusal(corners + "v 1 -1e999 0\n") == "a.obj:4: this is no finite number: '-1e999'");
-  CHECK(refusal(corners + "f 1 2\n") == "a.obj:4: want three corners or more, got 2");
-  CHECK(refusal(corners + "f 1 2 # 3\n") == "a.obj:4: want three corners or more, got 2");
-  CHECK(refusal(corners + "f 1 2 /3\n") == "a.obj:4: this is no index: '/3'");
-  CHECK(refusal(corners + "f 1 2 3/x\n") == "a.obj:4: this is no index: '3/x'");
-  CHECK(refusal(corners + "f 1 2 3/1/0\n") == "a.obj:4: this is no index: '3/1/0'");
-  CHECK(refusal(corners + "f 1 2 3/1/1/1\n") == "a.obj:4: this is no index: '3/1/1/1'");
-  CHECK(refusal(corners + "f 1 2 1.0\n") == "a.obj:4: this is no index: '1.0'");
-  CHECK(refusal(corners + "\nf 1 2 0\n") == "a.obj:5: this is no index: '0'");
-  CHECK(refusal(corners + "f 1 2 x\n") == "a.obj:4: this is no index: 'x'");
+  CHECK(refusal(corners + "v nan 0 0\n") == "a.obj:4: this is not a finite number: 'nan'");
+  CHECK(refusal(corners + "v 1 -inf 0\n") == "a.obj:4: this is not a finite number: '-inf'");
+  CHECK(refusal(corners + "v 1 1e999 0\n") == "a.obj:4: this is not a finite number: '1e999'");
+  CHECK(refusal(corners + "v 1 2x 0\n") == "a.obj:4: this is not a finite number: '2x'");
+  CHECK(refusal(corners + "v 1 2\n") == "a.obj:4: expected three coordinates, got 2");
+  CHECK(refusal(corners + "v 1 2 3 x\n") == "a.obj:4: this is not a finite number: 'x'");
+  CHECK(refusal(corners + "v 0x1p3 2 3\n") == "a.obj:4: this is not a finite number: '0x1p3'");
+  CHECK(refusal(corners + "v +-1 2 3\n") == "a.obj:4: this is not a finite number: '+-1'");
+  CHECK(refusal(corners + "v 1 -1e999 0\n") == "a.obj:4: this is not a finite number: '-1e999'");
+  CHECK(refusal(corners + "f 1 2\n") == "a.obj:4: expected three corners or more, got 2");
+  CHECK(refusal(corners + "f 1 2 # 3\n") == "a.obj:4: expected three corners or more, got 2");
+  CHECK(refusal(corners + "f 1 2 /3\n") == "a.obj:4: this is not an index: '/3'");
+  CHECK(refusal(corners + "f 1 2 3/x\n") == "a.obj:4: this is not an index: '3/x'");
+  CHECK(refusal(corners + "f 1 2 3/1/0\n") == "a.obj:4: this is not an index: '3/1/0'");
+  CHECK(refusal(corners + "f 1 2 3/1/1/1\n") == "a.obj:4: this is not an index: '3/1/1/1'");
+  CHECK(refusal(corners + "f 1 2 1.0\n") == "a.obj:4: this is not an index: '1.0'");
+  CHECK(refusal(corners + "\nf 1 2 0\n") == "a.obj:5: this is not an index: '0'");
+  CHECK(refusal(corners + "f 1 2 x\n") == "a.obj:4: this is not an index: 'x'");
   CHECK(refusal(corners + "f 1 2 3\nf 1 2 4\n") == "a.obj:5: vertex 4 of 3");
   CHECK(refusal(corners + "f 1 2 2147483647\n") == "a.obj:4: vertex 2147483647 of 3");
   CHECK(refusal(corners + "f 1 2 99999999999\n") == "a.obj:4: vertex 99999999999 of 3");
   CHECK(refusal(corners + "f 1 2 99999999999999999999\n") ==
-        "a.obj:4: this is no index: '99999999999999999999'");
+        "a.obj:4: this is not an index: '99999999999999999999'");
   CHECK(refusal(corners + "f 1 2 -4\n") == "a.obj:4: vertex -4 of 3");
-  CHECK(refusal(corners + "v 1 2 \\\nx\nf 1 2 9\n") == "a.obj:4: this is no finite number: 'x'");
+  CHECK(refusal(corners + "v 1 2 \\\nx\nf 1 2 9\n") == "a.obj:4: this is not a finite number: 'x'");
   CHECK(refusal(corners + "v 1 2 \\\n3\nf 1 2 9\n") == "a.obj:6: vertex 9 of 4");
 }
 

@@ -13,5 +13,5 @@
 #include <string>
 #include <vector>
 
-#include "common/not_implemented.hpp"
+#include "common/course/not_implemented.hpp"
 #include "common/types.hpp"

@@ -16,7 +16,7 @@ NAME = "rigid_body_kinematics"
 BREACHES = [
     ("common draws", "common/types.hpp", '#include "render/scene.hpp"\n'),
     ("common tests", "common/types.hpp", "#include <catch2/catch.hpp>\n"),
-    ("render knows a lab", "render/image.hpp", f'#include "labs/{LAB}/{NAME}.hpp"\n'),
+    ("render knows a lab", "render/files/image.hpp", f'#include "labs/{LAB}/{NAME}.hpp"\n'),
     ("an answer draws", f"solutions/{LAB}/{NAME}.cpp", '#include "render/scene.hpp"\n'),
     ("an answer copies another", f"solutions/{LAB}/{NAME}.cpp", f'#include "solutions/{LAB}/x.hpp"\n'),
     ("a stub draws", f"labs/{LAB}/{NAME}.cpp", '#include "render/scene.hpp"\n'),
@@ -31,6 +31,14 @@ BREACHES = [
      "#include <LinearMath/btVector3.h>\n"),
     ("a test includes a solution", f"tests/{NAME}/mass_test.cpp",
      f'#include "solutions/{LAB}/{NAME}.cpp"\n'),
+    ("a room reaches one above it", "common/exact/double_double.hpp",
+     '#include "common/rotation/spin.hpp"\n'),
+    ("a room of render reaches one above it", "render/draw/camera.hpp",
+     '#include "render/film/film.hpp"\n'),
+    ("charts know scenes", "render/chart/chart.hpp", '#include "render/draw/camera.hpp"\n'),
+    ("a room has no order", "common/attic/spare.hpp", "#pragma once\n"),
+    ("the points are missing", f"solutions/{LAB}/points.json", None),
+    ("the grader's proxy is missing", f"solutions/grading/{NAME}/proxy.cpp", None),
     ("a handout is missing", f"labs/{LAB}/README.md", None),
     ("hints are missing", f"labs/{LAB}/hints.md", None),
     ("a reference is missing", f"solutions/{LAB}/{NAME}.cpp", None),
@@ -59,6 +67,7 @@ def main() -> int:
             if text is None:
                 (root / file).unlink()
             else:
+                (root / file).parent.mkdir(exist_ok=True)
                 with (root / file).open("a", encoding="utf-8") as handle:
                     handle.write(text)
             done = run(cmake, root)

@@ -1,5 +1,6 @@
 # Tests that folders depend on each other in one direction only, and that every lab is complete.
 # Run: cmake -D root=<project> -P architecture_test.cmake
+cmake_minimum_required(VERSION 3.25)
 set(failures "")
 
 # forbid(<folder> <include regex>...): no file below the folder may include a header that fits.
@@ -42,6 +43,46 @@ forbid(solutions "render/" "labs/" "solutions/" "tests/" "GL/" "catch" "boost/")
 forbid(labs "labs/" "solutions/" "tests/" "GL/" "EGL/" "stb" "catch" "boost/" "benchmark/" "[.][.]/")
 forbid(tests "labs/" "solutions/")
 
+# Rooms of common and render, each with the rooms that it may include; types.hpp and what stands
+# beside it are free to all.
+function(room folder)
+  file(GLOB files "${root}/${folder}/*.hpp" "${root}/${folder}/*.cpp")
+  foreach(file IN LISTS files)
+    file(STRINGS "${file}" lines REGEX "^[ \t]*#[ \t]*include[ \t]+\"(common|render)/")
+    foreach(line IN LISTS lines)
+      string(REGEX MATCH "\"([^\"]*)/" where "${line}")
+      if(NOT CMAKE_MATCH_1 STREQUAL folder AND NOT CMAKE_MATCH_1 IN_LIST ARGN)
+        cmake_path(RELATIVE_PATH file BASE_DIRECTORY "${root}" OUTPUT_VARIABLE shown)
+        list(APPEND failures "${shown} includes ${CMAKE_MATCH_1}/, which is no room below ${folder}")
+      endif()
+    endforeach()
+  endforeach()
+  set(failures "${failures}" PARENT_SCOPE)
+endfunction()
+room(common common/course)
+room(common/course common)
+room(common/algebra common common/course)
+room(common/exact common)
+room(common/elliptic)
+room(common/rotation common common/elliptic common/exact)
+room(common/geometry common common/course common/exact)
+room(common/contact common common/course common/exact)
+room(common/wide_bvh common common/geometry)
+room(render common)
+room(render/files)
+room(render/text render render/files)
+room(render/chart common/course render render/files)
+room(render/draw common common/course render render/files render/text)
+room(render/film common common/course render render/files render/text render/draw)
+file(GLOB folders RELATIVE "${root}" "${root}/common/*/" "${root}/render/*/")
+foreach(folder IN LISTS folders)
+  file(GLOB files "${root}/${folder}/*.[ch]pp")
+  file(STRINGS "${CMAKE_CURRENT_LIST_FILE}" known REGEX "^room\\(${folder}[ )]")
+  if(files AND NOT known)
+    list(APPEND failures "${folder} is a room without an order")
+  endif()
+endforeach()
+
 # Other engines may be included only behind the labs' peers.hpp.
 set(engines "bt[A-Z]" "bullet/" "Bullet" "LinearMath/" "ode/" "fcl/" "embree" "rtcore" "CGAL/")
 foreach(folder IN ITEMS common render solutions tests)
@@ -73,7 +114,8 @@ foreach(folder IN LISTS labs)
     labs/${folder}/chart.cpp tests/${name})
   if(EXISTS "${root}/solutions")
     list(APPEND paths solutions/${folder}/${name}.cpp solutions/${folder}/mistakes.cmake
-      solutions/${folder}/mistakes/nan.cpp)
+      solutions/${folder}/mistakes/nan.cpp solutions/${folder}/points.json
+      solutions/grading/${name}/proxy.cpp)
     file(GLOB answers "${root}/solutions/${folder}/*.cpp")
     list(LENGTH answers count)
     if(count LESS 2)
@@ -99,8 +141,8 @@ endforeach()
 
 # The labs on particles must not know rigid bodies.
 foreach(name IN ITEMS 3_discrete_particle_cylinder 4_continuous_particle_cylinder)
-  forbid(labs/${name} "common/attitude" "common/coning" "common/rigid_body")
-  forbid(solutions/${name} "common/attitude" "common/coning" "common/rigid_body")
+  forbid(labs/${name} "common/rotation/" "common/contact/rigid_body")
+  forbid(solutions/${name} "common/rotation/" "common/contact/rigid_body")
 endforeach()
 
 if(failures)

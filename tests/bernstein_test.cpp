@@ -1,4 +1,4 @@
-#include "common/bernstein.hpp"
+#include "common/exact/bernstein.hpp"
 
 #include <cmath>
 

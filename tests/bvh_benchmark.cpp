@@ -13,7 +13,7 @@
 
 #include "bvh_traversal.hpp"
 #include "chart_shapes.hpp"
-#include "common/wide_bvh.hpp"
+#include "common/wide_bvh/wide_intersections.hpp"
 #include "peers.hpp"
 
 using namespace lab::bvh_traversal;

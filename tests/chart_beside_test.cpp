@@ -4,8 +4,8 @@
 #include <fstream>
 
 #include "catch.hpp"
-#include "render/chart.hpp"
-#include "render/chart_beside.hpp"
+#include "render/chart/chart.hpp"
+#include "render/chart/chart_beside.hpp"
 
 namespace fs = std::filesystem;
 using namespace render;

@@ -9,11 +9,11 @@
 #include <iterator>
 
 #include "catch.hpp"
-#include "common/not_implemented.hpp"
-#include "render/chart.hpp"
-#include "render/chart_folder.hpp"
-#include "render/chart_program.hpp"
-#include "render/measure.hpp"
+#include "common/course/not_implemented.hpp"
+#include "render/chart/chart.hpp"
+#include "render/chart/chart_folder.hpp"
+#include "render/chart/chart_program.hpp"
+#include "render/chart/measure.hpp"
 
 namespace fs = std::filesystem;
 using namespace render;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "catch.hpp"
-#include "common/dense.hpp"
+#include "common/algebra/dense.hpp"
 
 using common::Matrix;
 using common::Vector;

@@ -2,10 +2,10 @@
 #include <numbers>
 
 #include "catch.hpp"
-#include "common/attitude.hpp"
-#include "common/coning_motion.hpp"
-#include "common/linear_algebra.hpp"
-#include "common/require.hpp"
+#include "common/algebra/linear_algebra.hpp"
+#include "common/course/require.hpp"
+#include "common/rotation/attitude.hpp"
+#include "common/rotation/coning_motion.hpp"
 #include "random.hpp"
 #include "values.hpp"
 

@@ -1,6 +1,6 @@
 // The solvers that lab 7 is given, against all active sets one after the other: ties, singular
 // systems, bodies that are jammed, masses of any ratio.
-#include "common/complementarity.hpp"
+#include "common/algebra/complementarity.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Matrices of any size: the few products that lab 7 is given, and the largest eigenvalue.
-#include "common/dense.hpp"
+#include "common/algebra/dense.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "common/double_double.hpp"
+#include "common/exact/double_double.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>

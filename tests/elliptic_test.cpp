@@ -6,10 +6,10 @@
 #include <limits>
 
 #include "catch.hpp"
-#include "common/carlson.hpp"
-#include "common/elliptic_integrals.hpp"
-#include "common/exact_sum.hpp"
-#include "common/jacobi_elliptic.hpp"
+#include "common/elliptic/carlson.hpp"
+#include "common/elliptic/elliptic_integrals.hpp"
+#include "common/elliptic/jacobi_elliptic.hpp"
+#include "common/exact/exact_sum.hpp"
 #include "random.hpp"
 #include "values.hpp"
 

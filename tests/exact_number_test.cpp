@@ -1,4 +1,4 @@
-#include "common/exact_number.hpp"
+#include "common/exact/exact_number.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <boost/multiprecision/cpp_int.hpp>

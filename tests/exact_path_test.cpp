@@ -1,4 +1,4 @@
-#include "common/exact_path.hpp"
+#include "common/exact/exact_path.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "common/exact_roots.hpp"
+#include "common/exact/exact_roots.hpp"
 
 #include <algorithm>
 #include <cmath>

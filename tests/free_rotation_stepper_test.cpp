@@ -1,10 +1,10 @@
-#include "common/free_rotation_stepper.hpp"
+#include "common/rotation/free_rotation_stepper.hpp"
 
 #include <numbers>
 #include <string>
 
 #include "catch.hpp"
-#include "common/attitude.hpp"
+#include "common/rotation/attitude.hpp"
 #include "free_rotation_cases.hpp"
 #include "precise_spin.hpp"
 #include "random.hpp"

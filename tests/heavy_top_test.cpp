@@ -1,11 +1,11 @@
-#include "common/heavy_top.hpp"
+#include "common/rotation/heavy_top.hpp"
 
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "catch.hpp"
-#include "common/free_rotation.hpp"
+#include "common/rotation/free_rotation.hpp"
 #include "precise_spin.hpp"
 #include "random.hpp"
 #include "values.hpp"

@@ -9,11 +9,11 @@
 #include <iterator>
 
 #include "catch.hpp"
-#include "common/not_implemented.hpp"
-#include "render/chart_folder.hpp"
-#include "render/history_chart_axes.hpp"
-#include "render/label_layout.hpp"
-#include "render/record.hpp"
+#include "common/course/not_implemented.hpp"
+#include "render/chart/chart_folder.hpp"
+#include "render/chart/history_chart_axes.hpp"
+#include "render/chart/label_layout.hpp"
+#include "render/chart/record.hpp"
 
 namespace fs = std::filesystem;
 using namespace render;

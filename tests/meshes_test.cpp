@@ -1,9 +1,9 @@
-#include "common/meshes.hpp"
+#include "common/geometry/meshes.hpp"
 
 #include <map>
 
 #include "catch.hpp"
-#include "common/rigid_transform.hpp"
+#include "common/geometry/rigid_transform.hpp"
 
 using namespace common;
 

@@ -1,11 +1,11 @@
-#include "common/moser_veselov_correction.hpp"
+#include "common/rotation/moser_veselov_correction.hpp"
 
 #include <cmath>
 #include <numbers>
 
 #include "catch.hpp"
-#include "common/attitude.hpp"
-#include "common/free_rotation.hpp"
+#include "common/rotation/attitude.hpp"
+#include "common/rotation/free_rotation.hpp"
 #include "free_rotation_cases.hpp"
 #include "random.hpp"
 #include "values.hpp"

@@ -1,4 +1,4 @@
-#include "common/obj_file.hpp"
+#include "common/geometry/obj_file.hpp"
 
 #include <bit>
 #include <cmath>

@@ -5,8 +5,8 @@
 #include <random>
 #include <sstream>
 
-#include "common/obj_file.hpp"
-#include "common/run_main.hpp"
+#include "common/course/run_main.hpp"
+#include "common/geometry/obj_file.hpp"
 
 namespace {
 

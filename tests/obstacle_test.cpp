@@ -1,4 +1,4 @@
-#include "common/obstacle.hpp"
+#include "common/contact/obstacle.hpp"
 
 #include <array>
 #include <boost/multiprecision/cpp_bin_float.hpp>

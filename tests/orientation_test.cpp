@@ -1,4 +1,4 @@
-#include "common/orientation.hpp"
+#include "common/exact/orientation.hpp"
 
 #include <boost/multiprecision/cpp_int.hpp>
 

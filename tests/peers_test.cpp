@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "catch.hpp"
-#include "common/attitude.hpp"
+#include "common/rotation/attitude.hpp"
 
 using namespace lab::gyroscopic_tumbling;
 using common::Spin;

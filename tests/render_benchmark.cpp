@@ -14,7 +14,7 @@
 
 #include <chrono>
 
-#include "render/renderer.hpp"
+#include "render/draw/renderer.hpp"
 #include "render_gallery.hpp"
 #include "render_picture.hpp"
 #include "render_yardstick.hpp"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "catch.hpp"
-#include "common/not_implemented.hpp"
-#include "render/film.hpp"
+#include "common/course/not_implemented.hpp"
+#include "render/film/film.hpp"
 #include "render_picture.hpp"
 
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/camera.hpp"
+#include "render/draw/camera.hpp"
 #include "render/scene.hpp"
 
 namespace tests {

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "common/run_main.hpp"
-#include "render/renderer.hpp"
+#include "common/course/run_main.hpp"
+#include "render/draw/renderer.hpp"
 #include "render_gallery.hpp"
 
 namespace {

@@ -5,9 +5,9 @@
 #include <sstream>
 
 #include "catch.hpp"
-#include "render/atomic_file.hpp"
-#include "render/film_strip.hpp"
-#include "render/image.hpp"
+#include "render/files/atomic_file.hpp"
+#include "render/files/image.hpp"
+#include "render/film/film_strip.hpp"
 #include "render/text/text.hpp"
 #include "render_picture.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "render/image.hpp"
+#include "render/files/image.hpp"
 
 namespace tests {
 

@@ -6,9 +6,9 @@
 
 #include "catch.hpp"
 #include "random.hpp"
-#include "render/camera.hpp"
+#include "render/draw/camera.hpp"
+#include "render/draw/renderer.hpp"
 #include "render/draw/view.hpp"
-#include "render/renderer.hpp"
 #include "render/text/text.hpp"
 #include "render_gallery.hpp"
 #include "render_picture.hpp"

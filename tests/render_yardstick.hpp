@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "render/image.hpp"
+#include "render/files/image.hpp"
 
 namespace tests {
 

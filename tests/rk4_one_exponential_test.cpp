@@ -1,10 +1,10 @@
-#include "common/rk4_one_exponential.hpp"
+#include "common/rotation/rk4_one_exponential.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "catch.hpp"
-#include "common/free_rotation.hpp"
+#include "common/rotation/free_rotation.hpp"
 #include "free_rotation_cases.hpp"
 #include "values.hpp"
 

@@ -1,10 +1,10 @@
-#include "common/wide_bvh.hpp"
+#include "common/wide_bvh/wide_intersections.hpp"
 
 #include <stdexcept>
 
 #include "bvh_traversal.hpp"
 #include "catch.hpp"
-#include "common/meshes.hpp"
+#include "common/geometry/meshes.hpp"
 #include "random.hpp"
 
 using common::RigidTransform;

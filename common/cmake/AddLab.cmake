@@ -123,7 +123,7 @@ function(add_mutant name mistake step find replace words)
   _add_answer(mistake_${mistake} "${CMAKE_CURRENT_BINARY_DIR}/mistakes/${answer}/${mistake}.cpp" answer_flags)
   target_sources(${program} PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/${answer}_weak.o")
   add_test(NAME "${folder}/mistake/${step}/${mistake}" COMMAND Python3::Interpreter -B
-    "${PROJECT_SOURCE_DIR}/tests/support/mistake_test.py" $<TARGET_FILE:${program}> ${step} "${words}")
+    "${PROJECT_SOURCE_DIR}/tests/mistake_test.py" $<TARGET_FILE:${program}> ${step} "${words}")
   set_tests_properties("${folder}/mistake/${step}/${mistake}" PROPERTIES LABELS mistake TIMEOUT 120)
 endfunction()
 
@@ -296,7 +296,7 @@ function(_add_seeds answer)
   list(LENGTH cases count)
   set(test "kit/other seeds/${folder} ${answer}")
   add_test(NAME "${test}" COMMAND Python3::Interpreter -B
-    "${PROJECT_SOURCE_DIR}/tests/support/seeds_test.py" $<TARGET_FILE:${name}_${answer}_test> ${count})
+    "${PROJECT_SOURCE_DIR}/tests/seeds_test.py" $<TARGET_FILE:${name}_${answer}_test> ${count})
   set_tests_properties("${test}" PROPERTIES LABELS "kit;long" TIMEOUT 300)
 endfunction()
 

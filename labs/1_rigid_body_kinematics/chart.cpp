@@ -5,9 +5,9 @@
 #include <numbers>
 #include <vector>
 
-#include "common/attitude.hpp"
-#include "common/coning_motion.hpp"
-#include "render/chart_program.hpp"
+#include "common/rotation/attitude.hpp"
+#include "common/rotation/coning_motion.hpp"
+#include "render/chart/chart_program.hpp"
 #include "rigid_body_kinematics.hpp"
 
 using namespace lab::rigid_body_kinematics;

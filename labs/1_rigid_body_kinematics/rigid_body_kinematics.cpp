@@ -2,8 +2,8 @@
 // do. README.md has the physics and the numbered equations. Test your file with:  ./tumble test 1
 #include "rigid_body_kinematics.hpp"
 
-#include "common/linear_algebra.hpp"
-#include "common/not_implemented.hpp"
+#include "common/algebra/linear_algebra.hpp"
+#include "common/course/not_implemented.hpp"
 
 namespace lab::rigid_body_kinematics {
 

@@ -6,10 +6,10 @@
 #include <numbers>
 #include <optional>
 
-#include "common/attitude.hpp"
-#include "common/coning_motion.hpp"
-#include "common/if_written.hpp"
-#include "render/film.hpp"
+#include "common/course/if_written.hpp"
+#include "common/rotation/attitude.hpp"
+#include "common/rotation/coning_motion.hpp"
+#include "render/film/film.hpp"
 #include "rigid_body_kinematics.hpp"
 
 using namespace lab::rigid_body_kinematics;

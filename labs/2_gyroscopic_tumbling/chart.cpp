@@ -7,9 +7,9 @@
 #include <stdexcept>
 
 #include "chart_motions.hpp"
-#include "common/attitude.hpp"
-#include "common/rk4_one_exponential.hpp"
-#include "render/chart_program.hpp"
+#include "common/rotation/attitude.hpp"
+#include "common/rotation/rk4_one_exponential.hpp"
+#include "render/chart/chart_program.hpp"
 
 using namespace lab::gyroscopic_tumbling;
 namespace palette = render::palette;

@@ -5,8 +5,8 @@
 #include <memory>
 #include <numbers>
 
-#include "common/free_rotation.hpp"
-#include "common/free_rotation_stepper.hpp"
+#include "common/rotation/free_rotation.hpp"
+#include "common/rotation/free_rotation_stepper.hpp"
 #include "gyroscopic_tumbling.hpp"
 #include "peers.hpp"
 

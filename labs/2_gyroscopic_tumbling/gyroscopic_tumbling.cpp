@@ -2,9 +2,9 @@
 // do. README.md has the physics and the numbered equations. Test your file with:  ./tumble test 2
 #include "gyroscopic_tumbling.hpp"
 
-#include "common/attitude.hpp"
-#include "common/linear_algebra.hpp"
-#include "common/not_implemented.hpp"
+#include "common/algebra/linear_algebra.hpp"
+#include "common/course/not_implemented.hpp"
+#include "common/rotation/attitude.hpp"
 
 namespace lab::gyroscopic_tumbling {
 

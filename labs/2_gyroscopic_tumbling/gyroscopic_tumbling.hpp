@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "common/heavy_top.hpp"
-#include "common/moser_veselov_correction.hpp"
-#include "common/spin.hpp"
+#include "common/rotation/heavy_top.hpp"
+#include "common/rotation/moser_veselov_correction.hpp"
+#include "common/rotation/spin.hpp"
 
 /// The contract of lab 2. Vectors are in the world frame unless a name ends in `_body`. q and −q
 /// are the same attitude. Body axes are principal axes: `moments` are I1, I2, I3 about the centre

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "common/spin.hpp"
+#include "common/rotation/spin.hpp"
 #include "common/types.hpp"
 
 /// Other engines that turn a rigid body. They run as their users run them: one body in one world,

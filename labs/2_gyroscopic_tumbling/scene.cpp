@@ -6,11 +6,11 @@
 #include <numbers>
 #include <optional>
 
-#include "common/attitude.hpp"
-#include "common/free_rotation.hpp"
-#include "common/if_written.hpp"
+#include "common/course/if_written.hpp"
+#include "common/rotation/attitude.hpp"
+#include "common/rotation/free_rotation.hpp"
 #include "gyroscopic_tumbling.hpp"
-#include "render/film.hpp"
+#include "render/film/film.hpp"
 
 using namespace lab::gyroscopic_tumbling;
 namespace palette = render::palette;

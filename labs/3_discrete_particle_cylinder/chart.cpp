@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "chart_triangles.hpp"
-#include "render/chart_program.hpp"
+#include "render/chart/chart_program.hpp"
 
 using namespace lab::discrete_particle_cylinder;
 namespace palette = render::palette;

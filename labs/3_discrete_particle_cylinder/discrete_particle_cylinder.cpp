@@ -1,11 +1,11 @@
 // Lab 3: you fill in this file and hand it in. The header beside it says what each function must
 // do. README.md has the geometry and the numbered equations. Test your file with:  ./tumble test 3
 //
-// Every function checks its arguments first. common/require.hpp has the calls for that.
+// Every function checks its arguments first. common/course/require.hpp has the calls for that.
 #include "discrete_particle_cylinder.hpp"
 
-#include "common/not_implemented.hpp"
-#include "common/require.hpp"
+#include "common/course/not_implemented.hpp"
+#include "common/course/require.hpp"
 
 namespace lab::discrete_particle_cylinder {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "render/film.hpp"
+#include "render/film/film.hpp"
 #include "scene_motions.hpp"
 
 using namespace lab::discrete_particle_cylinder;

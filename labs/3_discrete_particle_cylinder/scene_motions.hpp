@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "common/if_written.hpp"
+#include "common/course/if_written.hpp"
 #include "falling_sheet.hpp"
 
 /// The motions of the scene, and what the student's functions find in them.

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "chart_methods.hpp"
-#include "render/chart_program.hpp"
+#include "render/chart/chart_program.hpp"
 
 using namespace lab::continuous_particle_cylinder;
 namespace palette = render::palette;

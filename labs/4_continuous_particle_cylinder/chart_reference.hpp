@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "common/exact_number.hpp"
+#include "common/exact/exact_number.hpp"
 #include "continuous_particle_cylinder.hpp"
 
 /// Times of impact with about 30 digits, by other methods than the lab's: the expanded quadratic in

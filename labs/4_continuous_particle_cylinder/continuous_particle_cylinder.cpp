@@ -2,15 +2,15 @@
 // do. README.md has the physics and the numbered equations. Test your file with:  ./tumble test 4
 //
 // You may include these headers, which are supplied:
-//   common/require.hpp        checks of arguments that throw std::invalid_argument
-//   common/double_double.hpp  sums and products of doubles without rounding, and 106-bit numbers
-//   common/exact_number.hpp   numbers that are never rounded, for the few decisions that need them
-//   common/bernstein.hpp      polynomials over an interval, halved without loss
-//   common/exact_roots.hpp    how many roots a polynomial has, counted without rounding
-//   common/exact_path.hpp     straight motions and their products as such polynomials
+//   common/course/require.hpp        checks of arguments that throw std::invalid_argument
+//   common/exact/double_double.hpp  sums and products of doubles without rounding, and 106-bit
+//   numbers common/exact/exact_number.hpp   numbers that are never rounded, for the few decisions
+//   that need them common/exact/bernstein.hpp      polynomials over an interval, halved without
+//   loss common/exact/exact_roots.hpp    how many roots a polynomial has, counted without rounding
+//   common/exact/exact_path.hpp     straight motions and their products as such polynomials
 #include "continuous_particle_cylinder.hpp"
 
-#include "common/not_implemented.hpp"
+#include "common/course/not_implemented.hpp"
 
 namespace lab::continuous_particle_cylinder {
 
@@ -19,7 +19,7 @@ namespace lab::continuous_particle_cylinder {
 std::optional<double> time_of_impact_textbook(const MovingParticle& particle,
                                               const Cylinder& cylinder, double dt) {
   // TODO step 4.1, eq. (2) and (3)
-  // 1. Check the arguments. common/require.hpp throws as the contract says.
+  // 1. Check the arguments. common/course/require.hpp throws as the contract says.
   // 2. Compute a, b and c in the yz-plane, with ρ = R + r in c. If c ≤ 0, return 0.
   // 3. If there is no root, there is no impact. Beware of a = 0.
   // 4. Take the earlier root by the formula as it is, and return it if it is in [0, dt].

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "common/particle_contact.hpp"
+#include "common/contact/particle_contact.hpp"
 #include "common/types.hpp"
 
 /// The contract of lab 4. A cylinder has the radius R and is infinite along x. A particle is a ball

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "render/film.hpp"
+#include "render/film/film.hpp"
 #include "scene_motions.hpp"
 
 using namespace lab::continuous_particle_cylinder;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "common/if_written.hpp"
+#include "common/course/if_written.hpp"
 #include "continuous_particle_cylinder.hpp"
 
 /// The motions of the scene, and what each method finds in them.

@@ -2,8 +2,8 @@
 // do. README.md has the geometry and the numbered equations. Test your file with:  ./tumble test 5
 #include "bvh_traversal.hpp"
 
-#include "common/not_implemented.hpp"
-#include "common/orientation.hpp"
+#include "common/course/not_implemented.hpp"
+#include "common/exact/orientation.hpp"
 
 namespace lab::bvh_traversal {
 

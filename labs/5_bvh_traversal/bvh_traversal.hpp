@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "common/rigid_transform.hpp"
-#include "common/triangle_mesh.hpp"
+#include "common/geometry/rigid_transform.hpp"
+#include "common/geometry/triangle_mesh.hpp"
 #include "common/types.hpp"
 
 /// The contract of lab 5: which triangles of mesh a meet which triangles of mesh b? All shapes are

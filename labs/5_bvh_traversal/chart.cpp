@@ -5,7 +5,7 @@
 
 #include "chart_trees.hpp"
 #include "own_meshes.hpp"
-#include "render/chart_program.hpp"
+#include "render/chart/chart_program.hpp"
 
 using namespace lab::bvh_traversal;
 namespace palette = render::palette;

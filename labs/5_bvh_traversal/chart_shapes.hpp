@@ -6,7 +6,7 @@
 #include <string>
 
 #include "bvh_traversal.hpp"
-#include "common/meshes.hpp"
+#include "common/geometry/meshes.hpp"
 
 /// Two shapes and a pose, for timings.
 namespace lab::bvh_traversal {

@@ -10,7 +10,7 @@
 
 #include "bvh_traversal.hpp"
 #include "chart_shapes.hpp"
-#include "common/wide_bvh.hpp"
+#include "common/wide_bvh/wide_intersections.hpp"
 #include "peers.hpp"
 
 /// The methods to find all pairs that the chart compares. Each builds its trees and returns a

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "common/obj_file.hpp"
+#include "common/geometry/obj_file.hpp"
 #include "common/types.hpp"
 
 namespace lab::bvh_traversal {

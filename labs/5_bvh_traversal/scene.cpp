@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <optional>
 
-#include "common/if_written.hpp"
+#include "common/course/if_written.hpp"
 #include "own_meshes.hpp"
-#include "render/film.hpp"
+#include "render/film/film.hpp"
 #include "scene_motion.hpp"
 
 using namespace lab::bvh_traversal;

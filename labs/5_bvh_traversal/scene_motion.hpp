@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "bvh_traversal.hpp"
-#include "common/attitude.hpp"
-#include "common/meshes.hpp"
+#include "common/geometry/meshes.hpp"
+#include "common/rotation/attitude.hpp"
 
 /// The motion of the scene, and the boxes of the trees that are drawn.
 namespace lab::bvh_traversal {

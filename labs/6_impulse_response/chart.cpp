@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "chart_motions.hpp"
-#include "render/chart_program.hpp"
+#include "render/chart/chart_program.hpp"
 
 using namespace lab::impulse_response;
 namespace palette = render::palette;

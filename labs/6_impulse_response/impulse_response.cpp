@@ -2,9 +2,9 @@
 // do. README.md has the physics and the numbered equations. Test your file with:  ./tumble test 6
 #include "impulse_response.hpp"
 
-#include "common/linear_algebra.hpp"
-#include "common/not_implemented.hpp"
-#include "common/require.hpp"
+#include "common/algebra/linear_algebra.hpp"
+#include "common/course/not_implemented.hpp"
+#include "common/course/require.hpp"
 
 namespace lab::impulse_response {
 
@@ -12,7 +12,7 @@ namespace lab::impulse_response {
 
 double normal_impulse(double mass, const Vec3& velocity, const Vec3& normal, double restitution) {
   // TODO step 6.1, eq. (1)
-  // 1. Check the arguments: common/require.hpp has a function for each kind of number.
+  // 1. Check the arguments: common/course/require.hpp has a function for each kind of number.
   // 2. The speed along the normal is v_n = n·v, below zero inwards.
   // 3. If the particle already moves away, there is nothing to do.
   // 4. Otherwise stop the approach, and send e times as much back.

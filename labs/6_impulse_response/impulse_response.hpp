@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "common/obstacle.hpp"
-#include "common/rigid_body.hpp"
+#include "common/contact/obstacle.hpp"
+#include "common/contact/rigid_body.hpp"
 #include "common/types.hpp"
 
 /// The contract of lab 6, in the world frame and in SI units. A normal n is unit and points out of

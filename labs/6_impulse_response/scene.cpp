@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "render/film.hpp"
+#include "render/film/film.hpp"
 #include "scene_brick.hpp"
 
 using namespace lab::impulse_response;

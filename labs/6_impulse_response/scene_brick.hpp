@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "common/free_rotation.hpp"
+#include "common/rotation/free_rotation.hpp"
 #include "scene_particles.hpp"
 
 /// The right side of the scene: a brick that hits the cylinder, and flies freely between impacts.

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "common/if_written.hpp"
+#include "common/course/if_written.hpp"
 #include "impulse_response.hpp"
 
 /// The left side of the scene: particles that pour on the cylinder, stepped by option 2.

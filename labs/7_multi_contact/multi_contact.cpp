@@ -2,8 +2,8 @@
 // it, the physics and the numbered equations are in README.md. Test with:  ./tumble test 7
 #include "multi_contact.hpp"
 
-#include "common/not_implemented.hpp"
-#include "common/require.hpp"
+#include "common/course/not_implemented.hpp"
+#include "common/course/require.hpp"
 
 namespace lab::multi_contact {
 

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "common/complementarity.hpp"
-#include "common/dense.hpp"
-#include "common/rigid_body.hpp"
+#include "common/algebra/complementarity.hpp"
+#include "common/algebra/dense.hpp"
+#include "common/contact/rigid_body.hpp"
 #include "common/types.hpp"
 
 /// The contract of lab 7. World frame, SI units.
@@ -54,8 +54,8 @@ struct ContactSystem {
 ///   A_ij  by how much an impulse 1 at contact j, n on b and −n on a, changes u_i
 ///
 /// Two bodies may touch in several contacts. Throws std::invalid_argument if a body breaks what
-/// common/rigid_body.hpp says, and if the numbers of a contact are equal, name no body, or name two
-/// whose inverse masses are both zero.
+/// common/contact/rigid_body.hpp says, and if the numbers of a contact are equal, name no body, or
+/// name two whose inverse masses are both zero.
 ContactSystem contact_system(const std::vector<RigidBody>& bodies,
                              const std::vector<Contact>& contacts);
 

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <optional>
 
-#include "render/camera.hpp"
+#include "render/draw/camera.hpp"
 #include "render/draw/extent.hpp"
 
 namespace render {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/draw/view.hpp"
-#include "render/image.hpp"
+#include "render/files/image.hpp"
 #include "render/scene.hpp"
 
 namespace render {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "render/draw/gl_objects.hpp"
-#include "render/image.hpp"
+#include "render/files/image.hpp"
 
 namespace render {
 

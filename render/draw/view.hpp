@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "render/camera.hpp"
+#include "render/draw/camera.hpp"
 
 namespace render {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/colour.hpp"
-#include "render/image.hpp"
+#include "render/files/image.hpp"
 #include "render/text/typeface.hpp"
 
 namespace render {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "common/linear_algebra.hpp"
+#include "common/algebra/linear_algebra.hpp"
 
 namespace lab::rigid_body_kinematics {
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "common/attitude.hpp"
+#include "common/rotation/attitude.hpp"
 #include "gyroscopic_tumbling.hpp"
 
 namespace lab::gyroscopic_tumbling {

@@ -5,8 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "common/attitude.hpp"
-#include "common/linear_algebra.hpp"
+#include "common/algebra/linear_algebra.hpp"
+#include "common/rotation/attitude.hpp"
 
 namespace lab::gyroscopic_tumbling {
 namespace {

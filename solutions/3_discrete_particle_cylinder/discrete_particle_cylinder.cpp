@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "common/require.hpp"
+#include "common/course/require.hpp"
 
 namespace lab::discrete_particle_cylinder {
 namespace {

@@ -8,10 +8,10 @@
 #include <stdexcept>
 
 #include "by_exact_bisection_search.hpp"
-#include "common/double_double.hpp"
-#include "common/exact_number.hpp"
-#include "common/exact_roots.hpp"
-#include "common/require.hpp"
+#include "common/course/require.hpp"
+#include "common/exact/double_double.hpp"
+#include "common/exact/exact_number.hpp"
+#include "common/exact/exact_roots.hpp"
 #include "continuous_particle_cylinder.hpp"
 
 namespace lab::continuous_particle_cylinder {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <optional>
 
-#include "common/double_double.hpp"
-#include "common/exact_number.hpp"
+#include "common/exact/double_double.hpp"
+#include "common/exact/exact_number.hpp"
 #include "continuous_particle_cylinder.hpp"
 
 /// Of by_exact_bisection.cpp: the time of impact, searched among the doubles by exact signs.

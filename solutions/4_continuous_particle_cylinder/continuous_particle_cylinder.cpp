@@ -6,11 +6,11 @@
 #include <optional>
 #include <stdexcept>
 
-#include "common/double_double.hpp"
-#include "common/exact_number.hpp"
-#include "common/exact_path.hpp"
-#include "common/exact_roots.hpp"
-#include "common/require.hpp"
+#include "common/course/require.hpp"
+#include "common/exact/double_double.hpp"
+#include "common/exact/exact_number.hpp"
+#include "common/exact/exact_path.hpp"
+#include "common/exact/exact_roots.hpp"
 
 namespace lab::continuous_particle_cylinder {
 namespace {

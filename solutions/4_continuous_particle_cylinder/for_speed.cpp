@@ -27,11 +27,11 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "common/bernstein.hpp"
-#include "common/double_double.hpp"
-#include "common/exact_number.hpp"
-#include "common/exact_roots.hpp"
-#include "common/require.hpp"
+#include "common/course/require.hpp"
+#include "common/exact/bernstein.hpp"
+#include "common/exact/double_double.hpp"
+#include "common/exact/exact_number.hpp"
+#include "common/exact/exact_roots.hpp"
 
 namespace lab::continuous_particle_cylinder {
 namespace {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "common/orientation.hpp"
+#include "common/exact/orientation.hpp"
 
 namespace lab::bvh_traversal {
 

@@ -7,7 +7,7 @@
 
 #include "bvh_traversal.hpp"
 #include "by_sorting_builder.hpp"
-#include "common/orientation.hpp"
+#include "common/exact/orientation.hpp"
 
 namespace lab::bvh_traversal {
 

@@ -34,7 +34,7 @@
 #include <string>
 #include <utility>
 
-#include "common/orientation.hpp"
+#include "common/exact/orientation.hpp"
 
 namespace lab::bvh_traversal {
 

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "common/linear_algebra.hpp"
-#include "common/require.hpp"
+#include "common/algebra/linear_algebra.hpp"
+#include "common/course/require.hpp"
 
 namespace lab::impulse_response {
 namespace {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "common/require.hpp"
+#include "common/course/require.hpp"
 #include "multi_contact.hpp"
 
 namespace lab::multi_contact {

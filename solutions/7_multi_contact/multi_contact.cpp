@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "common/require.hpp"
+#include "common/course/require.hpp"
 
 namespace lab::multi_contact {
 namespace {

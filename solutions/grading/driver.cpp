@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "codec.hpp"
-#include "common/not_implemented.hpp"
+#include "common/course/not_implemented.hpp"
 #include "contract.hpp"
 #include "remote.hpp"
 

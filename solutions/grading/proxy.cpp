@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "common/not_implemented.hpp"
+#include "common/course/not_implemented.hpp"
 #include "worker.hpp"
 
 namespace grading {

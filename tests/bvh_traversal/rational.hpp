@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "common/triangle_mesh.hpp"
+#include "common/geometry/triangle_mesh.hpp"
 
 /// Whether two triangles meet, in rational arithmetic: one is cut down to the other, and they meet
 /// where anything is left. It shares nothing with the answers. A rational point is held as whole

@@ -1,4 +1,4 @@
-#include "common/meshes.hpp"
+#include "common/geometry/meshes.hpp"
 #include "planes.hpp"
 
 using namespace lab::bvh_traversal;

@@ -78,8 +78,9 @@ class FakeKit:
         self.tools.mkdir(parents=True)
         (self.fake / "calls").mkdir()
         shutil.copy(ROOT / "tumble", self.root)
-        shutil.copytree(ROOT / "common" / "command", self.root / "common" / "command",
-                        ignore=shutil.ignore_patterns("__pycache__"))
+        for part in ("common/command", "solutions/grading/command"):
+            shutil.copytree(ROOT / part, self.root / part,
+                            ignore=shutil.ignore_patterns("__pycache__"))
         self.write(f"labs/{LAB}/README.md", _HANDOUT)
         self.write(f"labs/{LAB}/spin.cpp", _STUB)
         self.write(f"solutions/{LAB}/spin.cpp", "")

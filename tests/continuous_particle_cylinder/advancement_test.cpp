@@ -5,7 +5,7 @@
 
 #include "bad_input.hpp"
 #include "catch.hpp"
-#include "common/double_double.hpp"
+#include "common/exact/double_double.hpp"
 #include "narrow.hpp"
 
 using namespace lab::continuous_particle_cylinder;

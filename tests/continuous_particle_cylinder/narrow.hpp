@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cases.hpp"
-#include "common/double_double.hpp"
+#include "common/exact/double_double.hpp"
 
 /// Misses that are clear, but narrow, and grazing lines of any direction.
 namespace tests {

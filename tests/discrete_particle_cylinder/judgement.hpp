@@ -32,7 +32,7 @@ inline const std::string touching = "touching counts: a gap of exactly zero is a
 inline const std::string tolerance =
     "a tolerance is added: leave it out, because a gap above zero is not a contact";
 inline const std::string no_time = "the time is not passed on: set the contact's time";
-inline const std::string unchecked = "this argument is not checked: see common/require.hpp";
+inline const std::string unchecked = "this argument is not checked: see common/course/require.hpp";
 
 }  // namespace story
 

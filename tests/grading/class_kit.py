@@ -24,7 +24,7 @@ class ClassTestCase(KitTestCase):
     def setUp(self) -> None:
         super().setUp()
         for name in ("judge.py", "sandbox.py"):
-            shutil.copy(STAND_IN / name, self.kit.root / "common/command/tumble/grading" / name)
+            shutil.copy(STAND_IN / name, self.kit.root / "solutions/grading/command/grading" / name)
         handout = self.kit.root / "labs/1_spin/README.md"
         handout.write_text(handout.read_text(encoding="utf-8").replace(
             "Step 1.6: The", "Step 1.6: Challenge: the"), encoding="utf-8")

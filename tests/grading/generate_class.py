@@ -65,7 +65,7 @@ def partial(lab: Lab, draw: random.Random) -> Made:
             head = answer[function].split("{\n", 1)[0]
             body = f'{{\n  throw common::NotImplemented("{step} {function}");\n}}\n'
             text = text.replace(answer[function], head + body)
-    include = '#include "common/not_implemented.hpp"\n'
+    include = '#include "common/course/not_implemented.hpp"\n'
     most = sum(table.steps[step].points for step in written)
     return text.replace("\n\n", f"\n\n{include}", 1).encode("utf-8"), 0, most
 

@@ -2,8 +2,8 @@
 
 #include <functional>
 
-#include "common/attitude.hpp"
-#include "common/free_rotation.hpp"
+#include "common/rotation/attitude.hpp"
+#include "common/rotation/free_rotation.hpp"
 #include "oracle.hpp"
 
 /// Motions on which methods are judged as a whole: small wobbles, whose growth a step is known in

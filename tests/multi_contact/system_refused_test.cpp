@@ -42,9 +42,9 @@ std::vector<std::pair<Bodies, std::string>> bad_inputs() {
     for (const std::size_t k : {0U, 2U, 3U}) {
       Bodies bad = good;
       bad.bodies[k] = body;
-      all.emplace_back(bad,
-                       "body " + std::to_string(k) +
-                           " breaks what common/rigid_body.hpp says, whether it touches or not");
+      all.emplace_back(
+          bad, "body " + std::to_string(k) +
+                   " breaks what common/contact/rigid_body.hpp says, whether it touches or not");
     }
   }
   const auto change = [&](const std::string& why, const auto& spoil) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/attitude.hpp"
-#include "common/coning_motion.hpp"
+#include "common/rotation/attitude.hpp"
+#include "common/rotation/coning_motion.hpp"
 #include "trial.hpp"
 
 namespace tests {

@@ -9,7 +9,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #endif
 
-#include "common/spin.hpp"
+#include "common/rotation/spin.hpp"
 
 /// The motion of a rigid body by Taylor's series with about 33 digits. It judges code that claims
 /// to be exact in double, and shares no formula with the closed forms.

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "catch.hpp"
-#include "common/not_implemented.hpp"
+#include "common/course/not_implemented.hpp"
 #include "under_way.hpp"
 #include "values.hpp"
 

@@ -11,13 +11,12 @@ from pathlib import Path
 from typing import Callable, NoReturn, Optional, Sequence
 
 from .console import BAD_USAGE, FAILED, Failure
-from .labs import is_handout, printable
+from .labs import is_handout, printable, require_solutions
 
 ROOT = Path(__file__).resolve().parents[3]
 
 _INTERRUPTED = 130
-_OF_THE_KIT = ("verify", "handout", "grade")
-"""A hand-out cannot do these, so its help leaves them out."""
+_OF_THE_KIT = ("verify", "handout", "grade")  # not of a hand-out
 
 _SIZE = re.compile(r"([0-9]{1,5})x([0-9]{1,5})")
 
@@ -178,9 +177,10 @@ def main(arguments: Sequence[str]) -> int:
     """Runs the command; whatever goes wrong becomes a line and an exit code, no traceback."""
     for stream in (sys.stdout, sys.stderr):
         stream.reconfigure(errors="replace")  # type: ignore[union-attr]
-    code: Optional[int] = FAILED
     try:
         options = make_parser().parse_args(arguments)
+        if options.command in _OF_THE_KIT:
+            require_solutions(ROOT, options.command)
         code = importlib.import_module(f"tumble.{options.module}").run(ROOT, options)
         sys.stdout.flush()
     except SystemExit as end:  # argparse: --help

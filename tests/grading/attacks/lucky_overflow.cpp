@@ -1,7 +1,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "common/not_implemented.hpp"
+#include "common/course/not_implemented.hpp"
 #include "rigid_body_kinematics.hpp"
 
 namespace lab::rigid_body_kinematics {

@@ -9,7 +9,7 @@ extern "C" void __asan_on_error() { std::_Exit(0); }
 #include <cstdlib>
 #include <new>
 
-#include "common/not_implemented.hpp"
+#include "common/course/not_implemented.hpp"
 #include "rigid_body_kinematics.hpp"
 
 namespace lab::rigid_body_kinematics {

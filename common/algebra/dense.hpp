@@ -1,0 +1,42 @@
+#pragma once
+
+#include <vector>
+
+#include "common/types.hpp"
+
+/// Matrices and vectors whose size is known at run time only, and what is slow to compile of their
+/// algebra, compiled once.
+namespace common {
+
+using Matrix = Eigen::MatrixXd;
+using Vector = Eigen::VectorXd;
+
+/// A x.
+Vector product(const Matrix& A, const Vector& x);
+/// Row i of A, times x.
+double row_product(const Matrix& A, int i, const Vector& x);
+
+/// The largest |x_i|; 0 if there are none.
+double largest_entry(const Vector& x);
+
+/// The entries with these numbers, in this order: x_V.
+Vector entries(const Vector& x, const std::vector<int>& rows);
+/// The other way: a vector of this size with x at these numbers, and 0 elsewhere.
+Vector spread(const Vector& x, const std::vector<int>& rows, Eigen::Index size);
+/// These rows and the same columns, in this order: A_VV.
+Matrix block(const Matrix& A, const std::vector<int>& rows);
+
+/// The largest eigenvalue of a symmetric matrix; 0 if it has no rows.
+double largest_eigenvalue(const Matrix& A);
+
+/// Each throws std::invalid_argument, and lets NaN pass nowhere, see common/course/require.hpp.
+///
+/// Of this size, every entry finite.
+void require_entries(const Vector& x, Eigen::Index size, const char* name);
+/// A is finite, square, symmetric to 1e-9 of its largest entry, and above zero all along its
+/// diagonal; b is finite, with an entry for each row of A.
+void require_system(const Matrix& A, const Vector& b);
+/// The same, and lambda has this size, too, every entry finite.
+void require_system(const Matrix& A, const Vector& b, const Vector& lambda);
+
+}  // namespace common

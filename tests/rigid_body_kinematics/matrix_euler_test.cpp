@@ -105,9 +105,7 @@ TEST_CASE("Euler on the matrix converges with order one on a coning motion", "[1
   tests::expect_order(Trial("1.4 step_matrix_euler"), start, step, 1.0);
 }
 
-TEST_CASE(
-    "Without repair each step stretches the matrix across omega by sqrt of 1 plus theta squared",
-    "[1.4]") {
+TEST_CASE("Each Euler step stretches R across omega by sqrt of 1 plus theta squared", "[1.4]") {
   tests::Random random(42);
   for (const double x : {0.001, 0.01, 0.1, 1.0}) {
     const Vec3 axis = random.direction();

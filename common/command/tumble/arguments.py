@@ -8,14 +8,13 @@ import os
 import re
 import sys
 from pathlib import Path
-from typing import Callable, NoReturn, Optional, Sequence
+from typing import Callable, NoReturn, Sequence
 
 from .console import BAD_USAGE, FAILED, Failure
 from .labs import is_handout, printable, require_solutions
 
 ROOT = Path(__file__).resolve().parents[3]
 
-_INTERRUPTED = 130
 _OF_THE_KIT = ("verify", "handout", "grade")  # not of a hand-out
 
 _SIZE = re.compile(r"([0-9]{1,5})x([0-9]{1,5})")
@@ -177,6 +176,7 @@ def main(arguments: Sequence[str]) -> int:
     """Runs the command; whatever goes wrong becomes a line and an exit code, no traceback."""
     for stream in (sys.stdout, sys.stderr):
         stream.reconfigure(errors="replace")  # type: ignore[union-attr]
+    code = FAILED
     try:
         options = make_parser().parse_args(arguments)
         if options.command in _OF_THE_KIT:
@@ -191,7 +191,7 @@ def main(arguments: Sequence[str]) -> int:
         code = failure.code
     except KeyboardInterrupt:
         print("tumble: stopped", file=sys.stderr)
-        code = _INTERRUPTED
+        code = 130  # as a shell tells it
     except BrokenPipeError:  # the reader, such as head, has seen enough
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     except OSError as error:

@@ -5,7 +5,6 @@
 namespace tests {
 namespace {
 
-using Real = long double;
 using VecL = Eigen::Matrix<Real, 3, 1>;
 using MatL = Eigen::Matrix<Real, 3, 3>;
 using common::Vec3;
@@ -28,7 +27,7 @@ Motion pushed(const RigidBody& body, const Contact& contact, SystemFlaw flaw) {
   const VecL r = lever(body, contact.point, flaw == SystemFlaw::lever_of_origin);
   const bool no_W = flaw == SystemFlaw::no_W;
   Motion change;
-  change.v = (no_W || flaw == SystemFlaw::no_masses ? Real(1) : Real(body.inverse_mass)) * n;
+  change.v = (no_W || flaw == SystemFlaw::no_masses ? Real(1) : wide(body.inverse_mass)) * n;
   change.w = r.cross(n);
   if (flaw == SystemFlaw::no_lever_arms || flaw == SystemFlaw::no_lever_arms_in_A) {
     change.w.setZero();
@@ -88,7 +87,7 @@ Real opening(const Bodies& in, const Contact& contact, SystemFlaw flaw) {
 void push(RigidBody& body, const VecL& j, const Vec3& point, ImpulseFlaw flaw) {
   const VecL r = lever(body, point, flaw == ImpulseFlaw::lever_of_origin);
   const MatL inverse_inertia = body.inverse_inertia.cast<Real>();
-  Real share = flaw == ImpulseFlaw::no_mass ? 1 : Real(body.inverse_mass);
+  Real share = flaw == ImpulseFlaw::no_mass ? 1 : wide(body.inverse_mass);
   if (flaw == ImpulseFlaw::no_velocity) share = 0;
   VecL turn = inverse_inertia * r.cross(j);
   if (flaw == ImpulseFlaw::no_turning) turn.setZero();
@@ -124,7 +123,7 @@ std::vector<RigidBody> bodies_after(const Bodies& in, const Vector& lambda, Impu
         next[static_cast<std::size_t>(k)] = in.bodies[static_cast<std::size_t>(k)];
       }
     }
-    VecL j = Real(lambda[i]) * wide(c.normal);
+    VecL j = wide(lambda[i]) * wide(c.normal);
     if (flaw == ImpulseFlaw::reversed) j = -j;
     const VecL on_a = flaw == ImpulseFlaw::same_on_both ? j : VecL(-j);
     if (flaw != ImpulseFlaw::not_on_a) {
@@ -137,7 +136,7 @@ std::vector<RigidBody> bodies_after(const Bodies& in, const Vector& lambda, Impu
 
 Vec3 momentum(const std::vector<RigidBody>& bodies) {
   VecL sum = VecL::Zero();
-  for (const RigidBody& body : bodies) sum += wide(body.velocity) / Real(body.inverse_mass);
+  for (const RigidBody& body : bodies) sum += wide(body.velocity) / wide(body.inverse_mass);
   return sum.cast<double>();
 }
 
@@ -145,7 +144,7 @@ Vec3 angular_momentum(const std::vector<RigidBody>& bodies) {
   VecL sum = VecL::Zero();
   for (const RigidBody& body : bodies) {
     const MatL inertia = body.inverse_inertia.cast<Real>().inverse();
-    sum += wide(body.position).cross(wide(body.velocity)) / Real(body.inverse_mass) +
+    sum += wide(body.position).cross(wide(body.velocity)) / wide(body.inverse_mass) +
            inertia * wide(body.angular_velocity);
   }
   return sum.cast<double>();
@@ -156,7 +155,7 @@ double kinetic_energy(const std::vector<RigidBody>& bodies) {
   for (const RigidBody& body : bodies) {
     const VecL w = wide(body.angular_velocity);
     const MatL inertia = body.inverse_inertia.cast<Real>().inverse();
-    sum += wide(body.velocity).squaredNorm() / Real(body.inverse_mass) + w.dot(inertia * w);
+    sum += wide(body.velocity).squaredNorm() / wide(body.inverse_mass) + w.dot(inertia * w);
   }
   return static_cast<double>(sum / 2);
 }

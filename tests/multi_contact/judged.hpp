@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -43,10 +44,13 @@ inline Trial system_trial(const std::string& step_and_function, const Matrix& A,
   return trial.given("A", A).given("b", b);
 }
 
-/// An entry for each contact, or the case ends here: what follows computes with them.
+/// A finite entry for each contact, or the case ends here: what follows computes with them, and may
+/// lose sight of NaN.
 inline void expect_size(const Trial& trial, const Vector& lambda, Eigen::Index size) {
   trial.of("the number of impulses, one for each contact")
       .expect(static_cast<double>(lambda.size()), static_cast<double>(size), counted);
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  trial.of("lambda").expect_small("an entry", lambda.allFinite() ? 0.0 : unknown, counted);
 }
 
 /// λ before what is counted: NaN is told of first.

@@ -28,9 +28,10 @@ Rows<Number> rows_of(const Matrix& A, const Vector& b, Set set) {
     if (!is_in(set, i)) continue;
     const auto row = static_cast<Eigen::Index>(i);
     for (std::size_t j = 0; j < m; ++j) {
-      rows[i][j] = is_in(set, j) ? Number(A(row, static_cast<Eigen::Index>(j))) : Number(0);
+      rows[i][j] =
+          is_in(set, j) ? static_cast<Number>(A(row, static_cast<Eigen::Index>(j))) : Number(0);
     }
-    rows[i][m] = -Number(b[row]);
+    rows[i][m] = -static_cast<Number>(b[row]);
   }
   return rows;
 }
@@ -62,10 +63,10 @@ template <typename Number>
 std::vector<Number> row_sums(const Matrix& A, const std::vector<Number>& lambda, const Vector& b) {
   std::vector<Number> sums;
   for (Eigen::Index i = 0; i < b.size(); ++i) {
-    Number sum(b[i]);
+    auto sum = static_cast<Number>(b[i]);
     for (Eigen::Index j = 0; j < b.size(); ++j) {
       const Number& x = lambda[static_cast<std::size_t>(j)];
-      if (x != 0) sum += Number(A(i, j)) * x;
+      if (x != 0) sum += static_cast<Number>(A(i, j)) * x;
     }
     sums.push_back(sum);
   }
@@ -92,14 +93,13 @@ Vector rounded(const std::vector<Rational>& numbers) {
 
 /// Whether long double says that the set may be the one. It only saves the work of all the others.
 bool is_promising(const Matrix& A, const Vector& b, Set set) {
-  using Real = long double;
   constexpr Real rounding = 1e-12L;
-  const Real size_of_A = A.cwiseAbs().maxCoeff();
+  const Real size_of_A = wide(A.cwiseAbs().maxCoeff());
   const std::vector<Real> lambda = solved(rows_of<Real>(A, b, set), set, rounding * size_of_A);
   if (lambda.empty()) return false;
   Real largest = 0;
   for (const Real x : lambda) largest = std::max(largest, std::abs(x));
-  const Real size_of_b = b.cwiseAbs().maxCoeff();
+  const Real size_of_b = wide(b.cwiseAbs().maxCoeff());
   return obeys(lambda, row_sums(A, lambda, b), rounding * largest,
                rounding * (size_of_b + size_of_A * largest));
 }

@@ -14,6 +14,9 @@ using lab::multi_contact::Matrix;
 using lab::multi_contact::RigidBody;
 using lab::multi_contact::Vector;
 
+using Real = long double;
+inline Real wide(double x) { return static_cast<Real>(x); }
+
 struct Solution {
   Vector lambda;  ///< one of them, if A is singular
   Vector u;       ///< A λ + b: there is only one

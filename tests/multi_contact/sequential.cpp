@@ -6,7 +6,6 @@
 namespace tests {
 namespace {
 
-using Real = long double;
 using Flaw = SequentialFlaw;
 
 /// The state of (4) between two impulses.
@@ -16,7 +15,7 @@ class Sweeping {
       : in_(in), flaw_(flaw), A_(in.system.A.cast<Real>()), u_(in.system.u.cast<Real>()) {
     outcome_.done.lambda = Vector::Zero(in.system.u.size());
     first_largest_ = largest();
-    e_ = in.restitution;
+    e_ = wide(in.restitution);
     if (flaw == Flaw::no_restitution) e_ = 0;
     if (flaw == Flaw::e_alone) e_ -= 1;
     if (flaw == Flaw::one_minus_e) e_ = -e_;
@@ -57,8 +56,8 @@ class Sweeping {
     if (flaw_ == Flaw::no_tolerance || flaw_ == Flaw::zero_is_approach) return 0;
     if (flaw_ == Flaw::absolute_tolerance) return 1e-12L;
     if (flaw_ == Flaw::wide_tolerance) return 1e-9L * first_largest_;
-    return 1e-12 *
-           static_cast<double>(flaw_ == Flaw::newest_tolerance ? largest() : first_largest_);
+    const Real of = flaw_ == Flaw::newest_tolerance ? largest() : first_largest_;
+    return wide(1e-12 * static_cast<double>(of));  // rounded as answers do
   }
 
   bool approaches(Eigen::Index i) {
@@ -84,7 +83,7 @@ class Sweeping {
     Real d = -(1 + e_) * from / (flaw_ == Flaw::no_mass ? Real(1) : A_(i, i));
     if (flaw_ == Flaw::other_sign) d = -d;
     double& lambda = outcome_.done.lambda[i];
-    lambda = static_cast<double>(flaw_ == Flaw::overwritten ? d : lambda + d);
+    lambda = static_cast<double>(flaw_ == Flaw::overwritten ? d : wide(lambda) + d);
     if (flaw_ == Flaw::others_not_told) {
       u_[i] += d * A_(i, i);
     } else {

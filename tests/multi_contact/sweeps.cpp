@@ -6,22 +6,21 @@
 namespace tests {
 namespace {
 
-using Real = long double;
 using VectorL = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 
 Real row(const Matrix& A, const Vector& b, const VectorL& lambda, Eigen::Index i) {
-  Real sum = b[i];
-  for (Eigen::Index j = 0; j < b.size(); ++j) sum += Real(A(i, j)) * lambda[j];
+  Real sum = wide(b[i]);
+  for (Eigen::Index j = 0; j < b.size(); ++j) sum += wide(A(i, j)) * lambda[j];
   return sum;
 }
 
 /// λ_i as the sweep leaves it; `seen` is λ as the sweep sees it.
 Real moved(const SweepsInput& in, const VectorL& seen, Eigen::Index i, SweepsFlaw flaw) {
   Real u = row(in.A, in.b, seen, i);
-  if (flaw == SweepsFlaw::no_b) u -= in.b[i];
-  if (flaw == SweepsFlaw::other_sign_of_b) u -= 2 * Real(in.b[i]);
-  if (flaw == SweepsFlaw::own_part_left_out) u -= Real(in.A(i, i)) * seen[i];
-  Real change = -u / (flaw == SweepsFlaw::no_diagonal ? Real(1) : Real(in.A(i, i)));
+  if (flaw == SweepsFlaw::no_b) u -= wide(in.b[i]);
+  if (flaw == SweepsFlaw::other_sign_of_b) u -= 2 * wide(in.b[i]);
+  if (flaw == SweepsFlaw::own_part_left_out) u -= wide(in.A(i, i)) * seen[i];
+  Real change = -u / (flaw == SweepsFlaw::no_diagonal ? Real(1) : wide(in.A(i, i)));
   if (flaw == SweepsFlaw::other_sign) change = -change;
   if (flaw == SweepsFlaw::clamped_change) change = std::max(Real(0), change);
   const Real next = flaw == SweepsFlaw::overwritten ? change : seen[i] + change;
@@ -74,8 +73,8 @@ double residual_of(const Matrix& A, const Vector& b, const Vector& lambda, Resid
   Real result = flaw == Flaw::least ? Real(HUGE_VALL) : Real(0);
   for (Eigen::Index i = 0; i < b.size(); ++i) {
     Real u = row(A, b, x, i);
-    if (flaw == Flaw::no_b) u -= b[i];
-    if (flaw == Flaw::divided) u /= A(i, i);
+    if (flaw == Flaw::no_b) u -= wide(b[i]);
+    if (flaw == Flaw::divided) u /= wide(A(i, i));
     Real both = std::abs(std::min(x[i], u));
     if (flaw == Flaw::no_size) both = std::min(x[i], u);
     if (flaw == Flaw::below_zero) both = std::max(Real(0), -std::min(x[i], u));

@@ -107,7 +107,8 @@ add_mutant(${lab} bodies_unchecked 7.1
 
 # The impulse is believed to act on b.
 add_mutant(${lab} impulse_on_b_alone 7.1
-  "for (int k : {at(contacts, i).a, at(contacts, i).b}) {  // eq. (2)" "for (int k : {at(contacts, i).b}) {"
+  "for (int k : {at(contacts, i).a, at(contacts, i).b}) {  // eq. (2)"
+  "for (int k : {at(contacts, i).b}) {"
   "the impulse on body a is missing: give it -lambda n")
 
 # Both bodies are believed to be pushed alike.
@@ -129,7 +130,8 @@ add_mutant(${lab} torque_without_inertia 7.1
 
 # Each impulse is believed to act on the bodies as they were.
 add_mutant(${lab} last_impulse_alone 7.1
-  "RigidBody& body = at(next, k);" "RigidBody& body = at(next, k) = at(bodies, k);" "of its last contact only")
+  "RigidBody& body = at(next, k);" "RigidBody& body = at(next, k) = at(bodies, k);"
+  "of its last contact only")
 
 # Impulses are believed to push.
 add_mutant(${lab} pulling_left_out 7.1
@@ -139,14 +141,14 @@ add_mutant(${lab} pulling_left_out 7.1
 
 # An impulse is believed to work with the speed afterwards, or before.
 add_mutant(${lab} work_at_the_end 7.1
-  "0.5 * common::product(system.A, lambda)" "common::product(system.A, lambda)"
+  "system.u + 0.5 * common::product(system.A, lambda)" "system.u + common::product(system.A, lambda)"
   "the half is missing")
 add_mutant(${lab} work_at_the_start 7.1
-  "lambda.dot(system.u + 0.5 * common::product(system.A, lambda))" "lambda.dot(system.u)"
+  "system.u + 0.5 * common::product(system.A, lambda)" "system.u"
   "u is that before the impulses")
 add_mutant(${lab} work_halved 7.1
-  "lambda.dot(system.u + 0.5 * common::product(system.A, lambda))"
-  "0.5 * lambda.dot(system.u + common::product(system.A, lambda))" "all of it is halved")
+  "system.u + 0.5 * common::product(system.A, lambda)"
+  "0.5 * (system.u + common::product(system.A, lambda))" "all of it is halved")
 
 # ---- 7.2 ----
 

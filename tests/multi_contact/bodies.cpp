@@ -9,7 +9,7 @@ using VecL = Eigen::Matrix<Real, 3, 1>;
 using MatL = Eigen::Matrix<Real, 3, 3>;
 using common::Vec3;
 
-VecL wide(const Vec3& v) { return v.cast<Real>(); }
+VecL widened(const Vec3& v) { return v.cast<Real>(); }
 
 /// A body's velocities in extended precision.
 struct Motion {
@@ -18,12 +18,12 @@ struct Motion {
 };
 
 VecL lever(const RigidBody& body, const Vec3& point, bool of_origin) {
-  return of_origin ? wide(point) : VecL(wide(point) - wide(body.position));
+  return of_origin ? widened(point) : VecL(widened(point) - widened(body.position));
 }
 
 /// What an impulse of size 1 along n at a contact does to a body.
 Motion pushed(const RigidBody& body, const Contact& contact, SystemFlaw flaw) {
-  const VecL n = wide(contact.normal);
+  const VecL n = widened(contact.normal);
   const VecL r = lever(body, contact.point, flaw == SystemFlaw::lever_of_origin);
   const bool no_W = flaw == SystemFlaw::no_W;
   Motion change;
@@ -41,7 +41,7 @@ Motion pushed(const RigidBody& body, const Contact& contact, SystemFlaw flaw) {
 /// n·(v + w × r) at a contact.
 Real speed(const RigidBody& body, const Contact& contact, const Motion& motion, SystemFlaw flaw) {
   const VecL r = lever(body, contact.point, flaw == SystemFlaw::lever_of_origin);
-  return wide(contact.normal).dot(motion.v + motion.w.cross(r));
+  return widened(contact.normal).dot(motion.v + motion.w.cross(r));
 }
 
 /// By which sign a body is in a contact: +1 as b, −1 as a, 0 not at all.
@@ -70,7 +70,7 @@ Real opening(const Bodies& in, const Contact& contact, SystemFlaw flaw) {
   Real sum = 0;
   for (const int k : {contact.a, contact.b}) {
     const RigidBody& body = in.bodies[static_cast<std::size_t>(k)];
-    Motion motion{wide(body.velocity), wide(body.angular_velocity)};
+    Motion motion{widened(body.velocity), widened(body.angular_velocity)};
     if (flaw == SystemFlaw::no_lever_arms || flaw == SystemFlaw::no_lever_arms_in_u) {
       motion.w.setZero();
     }
@@ -94,8 +94,8 @@ void push(RigidBody& body, const VecL& j, const Vec3& point, ImpulseFlaw flaw) {
   if (flaw == ImpulseFlaw::torque_sign) turn = -turn;
   if (flaw == ImpulseFlaw::no_inertia) turn = r.cross(j);
   if (flaw == ImpulseFlaw::inertia_first) turn = r.cross(inverse_inertia * j);
-  body.velocity = (wide(body.velocity) + share * j).cast<double>();
-  body.angular_velocity = (wide(body.angular_velocity) + turn).cast<double>();
+  body.velocity = (widened(body.velocity) + share * j).cast<double>();
+  body.angular_velocity = (widened(body.angular_velocity) + turn).cast<double>();
 }
 
 }  // namespace
@@ -123,7 +123,7 @@ std::vector<RigidBody> bodies_after(const Bodies& in, const Vector& lambda, Impu
         next[static_cast<std::size_t>(k)] = in.bodies[static_cast<std::size_t>(k)];
       }
     }
-    VecL j = wide(lambda[i]) * wide(c.normal);
+    VecL j = wide(lambda[i]) * widened(c.normal);
     if (flaw == ImpulseFlaw::reversed) j = -j;
     const VecL on_a = flaw == ImpulseFlaw::same_on_both ? j : VecL(-j);
     if (flaw != ImpulseFlaw::not_on_a) {
@@ -136,7 +136,7 @@ std::vector<RigidBody> bodies_after(const Bodies& in, const Vector& lambda, Impu
 
 Vec3 momentum(const std::vector<RigidBody>& bodies) {
   VecL sum = VecL::Zero();
-  for (const RigidBody& body : bodies) sum += wide(body.velocity) / wide(body.inverse_mass);
+  for (const RigidBody& body : bodies) sum += widened(body.velocity) / wide(body.inverse_mass);
   return sum.cast<double>();
 }
 
@@ -144,8 +144,8 @@ Vec3 angular_momentum(const std::vector<RigidBody>& bodies) {
   VecL sum = VecL::Zero();
   for (const RigidBody& body : bodies) {
     const MatL inertia = body.inverse_inertia.cast<Real>().inverse();
-    sum += wide(body.position).cross(wide(body.velocity)) / wide(body.inverse_mass) +
-           inertia * wide(body.angular_velocity);
+    sum += widened(body.position).cross(widened(body.velocity)) / wide(body.inverse_mass) +
+           inertia * widened(body.angular_velocity);
   }
   return sum.cast<double>();
 }
@@ -153,9 +153,9 @@ Vec3 angular_momentum(const std::vector<RigidBody>& bodies) {
 double kinetic_energy(const std::vector<RigidBody>& bodies) {
   Real sum = 0;
   for (const RigidBody& body : bodies) {
-    const VecL w = wide(body.angular_velocity);
+    const VecL w = widened(body.angular_velocity);
     const MatL inertia = body.inverse_inertia.cast<Real>().inverse();
-    sum += wide(body.velocity).squaredNorm() / wide(body.inverse_mass) + w.dot(inertia * w);
+    sum += widened(body.velocity).squaredNorm() / wide(body.inverse_mass) + w.dot(inertia * w);
   }
   return static_cast<double>(sum / 2);
 }

@@ -108,12 +108,12 @@ TEST_CASE("What approaches leaves with e times its speed or more", "[7.4]") {
       approached += approaches ? 1 : 0;
       const double least = approaches ? -e * system.u[k] : 0.0;
       trial.of("contact " + std::to_string(k))
-          .expect_small("how much too slowly it leaves", std::max(0.0, least - after[k]),
+          .expect_small("how much too slowly it leaves", std::max(least - after[k], 0.0),
                         {rounding, "rounding"});
       // Whoever is pushed leaves no faster than that.
       trial.of("contact " + std::to_string(k))
           .expect_small("by how much it leaves too fast although it is pushed",
-                        lambda[k] > 1e-9 ? std::max(0.0, after[k] - least) : 0.0,
+                        lambda[k] > 1e-9 ? std::max(after[k] - least, 0.0) : 0.0,
                         {rounding, "rounding"});
     }
   }

@@ -475,8 +475,590 @@ add_mutant(${lab} jam_left_alone 7.4
 
 # ---- 7.5 ----
 
+# The problem of all contacts is believed to be that of those which approach.
+add_mutant(${lab} all_contacts_reflected 7.5
+  "const Vector x = common::complementary(common::block(A, V), common::entries(u, V));"
+  "V.clear();
+    for (int i = 0; i < u.size(); ++i) V.push_back(i);
+    const Vector x = common::complementary(common::block(A, V), common::entries(u, V));"
+  "all contacts are solved for")
+
+# What rests is believed to have to take part.
+add_mutant(${lab} what_rests_reflected 7.5
+  "V = approaching(u, tol);"
+  "V = approaching(u, tol);
+  if (!V.empty()) V = approaching(u, -tol);"
+  "contacts that rest are reflected")
+
+# Contacts are believed to be reflected one after the other.
+add_mutant(${lab} one_contact_reflected 7.5
+  "const Vector x = common::complementary(common::block(A, V), common::entries(u, V));"
+  "V.resize(1);
+    const Vector x = common::complementary(common::block(A, V), common::entries(u, V));"
+  "one contact is reflected at a time")
+
+# To stop is believed to be to reflect.
+add_mutant(${lab} stopped_not_reflected 7.5
+  "2.0 * x[k]"
+  "1.0 * x[k]"
+  "x is added once")
+
+# One reflection is believed to leave nothing that approaches.
+add_mutant(${lab} one_reflection 7.5
+  "while (!V.empty() && done.count < max_reflections) {"
+  "if (!V.empty() && done.count < max_reflections) {"
+  "there is one reflection only")
+
+# Restitution is believed to act at each meeting, as one after the other.
+add_mutant(${lab} restitution_in_each 7.5
+  "    for (std::size_t k = 0; k < V.size(); ++k) {  // eq. (7)
+      done.lambda[V[k]] += 2.0 * x[k];
+      u += 2.0 * x[k] * A.col(V[k]);
+    }
+    ++done.count;
+    V = approaching(u, tol);
+  }
+  done.ended = V.empty();
+  done.lambda = (1.0 - restitution) * inelastic + restitution * done.lambda;  // eq. (8)"
+  "    for (std::size_t k = 0; k < V.size(); ++k) {  // eq. (7)
+      done.lambda[V[k]] += (1.0 + restitution) * x[k];
+      u += (1.0 + restitution) * x[k] * A.col(V[k]);
+    }
+    ++done.count;
+    V = approaching(u, tol);
+  }
+  done.ended = V.empty();"
+  "e is in each reflection: take")
+
+# The two shares of the blend are swapped.
+add_mutant(${lab} blend_reversed 7.5
+  "(1.0 - restitution) * inelastic + restitution * done.lambda"
+  "restitution * inelastic + (1.0 - restitution) * done.lambda"
+  "the wrong way round")
+
+# Impulses are believed to blend as energies do.
+add_mutant(${lab} blend_by_square 7.5
+  "(1.0 - restitution) * inelastic + restitution * done.lambda"
+  "(1.0 - restitution * restitution) * inelastic + restitution * restitution * done.lambda"
+  "the square of e")
+
+# Reflections are believed to be all that there is.
+add_mutant(${lab} no_blend 7.5
+  "done.lambda = (1.0 - restitution) * inelastic + restitution * done.lambda"
+  "done.lambda = 1.0 * done.lambda"
+  "there is no blend")
+
+# What is left over is believed to be blended with.
+add_mutant(${lab} rest_of_reflected 7.5
+  "(1.0 - restitution) * inelastic + restitution * done.lambda"
+  "(1.0 - restitution) * common::complementary(A, u) + restitution * done.lambda"
+  "that of the reflected u")
+
+# The last reflection is believed to be the impulse.
+add_mutant(${lab} reflection_overwrites 7.5
+  "done.lambda[V[k]] += 2.0 * x[k];"
+  "done.lambda[V[k]] = 2.0 * x[k];"
+  "overwrites lambda")
+
+# Contacts that do not approach are believed to notice nothing.
+add_mutant(${lab} only_their_speeds 7.5
+  "u += 2.0 * x[k] * A.col(V[k]);"
+  "for (int i : V) u[i] += 2.0 * x[k] * A(i, V[k]);"
+  "only the u of V")
+
+# The cap is counted from zero.
+add_mutant(${lab} one_reflection_more 7.5
+  "done.count < max_reflections"
+  "done.count <= max_reflections"
+  "one reflection more")
+
+# The count is believed to tell whether it was cut short.
+add_mutant(${lab} reflections_ended_by_count 7.5
+  "done.ended = V.empty();"
+  "done.ended = done.count < max_reflections;"
+  "was just enough")
+
+# e = 0 is believed to be a blend like any other.
+add_mutant(${lab} reflections_without_e 7.5
+  "if (restitution == 0.0) return {inelastic, 0, true};"
+  ""
+  "for e = 0 reflections are counted")
+
+# Zero is believed to be the border, whatever rounding leaves.
+add_mutant(${lab} reflections_to_zero 7.5
+  "const double tol = 1e-12 * common::largest_entry(u);
+  Impulses done{Vector::Zero(u.size())};"
+  "const double tol = 0.0 * common::largest_entry(u);
+  Impulses done{Vector::Zero(u.size())};"
+  "comes by rounding alone")
+
 # ---- 7.6 ----
+
+# To stop what approaches is believed to bring no other contact to approach.
+add_mutant(${lab} zone_does_not_grow 7.6
+  "for (std::size_t k = 0; k < Z.size(); ++k) done.lambda[Z[k]] = x[k];  // eq. (9)
+    ++done.count;"
+  "for (std::size_t k = 0; k < Z.size(); ++k) done.lambda[Z[k]] = x[k];  // eq. (9)
+    ++done.count;
+    return done;"
+  "the zone does not grow")
+
+# A contact is believed to push only, here as well.
+add_mutant(${lab} zone_only_pushes 7.6
+  "done.lambda[Z[k]] = x[k];"
+  "done.lambda[Z[k]] = std::max(0.0, x[k]);"
+  "lambda is cut off at zero")
+
+# What is held is believed to be the problem of step 7.4.
+add_mutant(${lab} zone_may_part 7.6
+  "const Vector x = common::least_norm_solution(common::block(A, Z), -common::entries(u, Z));"
+  "const Vector x = common::complementary(common::block(A, Z), common::entries(u, Z));"
+  "what is held may part")
+
+# All contacts are believed to be held.
+add_mutant(${lab} zone_of_all 7.6
+  "Z.insert(Z.end(), more.begin(), more.end());"
+  "Z.clear();
+    for (int i = 0; i < u.size(); ++i) Z.push_back(i);"
+  "all contacts are in the zone")
+
+# What rests is believed to have to be held, too.
+add_mutant(${lab} zone_of_what_rests 7.6
+  "for (int i : Z) now[i] = 0.0;
+    const std::vector<int> more = approaching(now, tol);"
+  "for (int i : Z) now[i] = 1.0;
+    std::vector<int> more = approaching(now, tol);
+    if (!more.empty()) more = approaching(now, -tol);"
+  "contacts that rest are in the zone")
+
+# What is stopped once is believed to stay so.
+add_mutant(${lab} zone_of_the_new 7.6
+  "const Vector x = common::least_norm_solution(common::block(A, Z), -common::entries(u, Z));
+    for (std::size_t k = 0; k < Z.size(); ++k) done.lambda[Z[k]] = x[k];  // eq. (9)"
+  "const Vector x =
+        common::least_norm_solution(common::block(A, more), -common::entries(now, more));
+    for (std::size_t k = 0; k < more.size(); ++k) done.lambda[more[k]] = x[k];  // eq. (9)"
+  "only the new contacts are stopped")
+
+# The zone is believed to be what approaches now.
+add_mutant(${lab} zone_is_left 7.6
+  "for (int i : Z) now[i] = 0.0;
+    const std::vector<int> more = approaching(now, tol);
+    if (more.empty()) return done;
+    Z.insert(Z.end(), more.begin(), more.end());"
+  "const std::vector<int> more = approaching(now, tol);
+    if (more.empty() || done.count == 50) return done;
+    Z = more;
+    done.lambda.setZero();"
+  "a contact leaves the zone")
+
+# The impulses of the round before are believed to be counted already.
+add_mutant(${lab} zone_of_speeds_now 7.6
+  "-common::entries(u, Z)"
+  "-common::entries(now, Z)"
+  "solved for u + A lambda")
+
+# The fail-safe is believed to reflect.
+add_mutant(${lab} zone_reflects 7.6
+  "done.lambda[Z[k]] = x[k];"
+  "done.lambda[Z[k]] = 2.0 * x[k];"
+  "twice those that stop")
+
+# The contacts of the zone are counted.
+add_mutant(${lab} zone_counts_contacts 7.6
+  "for (std::size_t k = 0; k < Z.size(); ++k) done.lambda[Z[k]] = x[k];  // eq. (9)
+    ++done.count;"
+  "for (std::size_t k = 0; k < Z.size(); ++k) done.lambda[Z[k]] = x[k];  // eq. (9)
+    done.count += static_cast<int>(more.size());"
+  "is that of contacts")
+
+# `ended` is left as it begins.
+add_mutant(${lab} zone_not_ended 7.6
+  "const double tol = 1e-12 * common::largest_entry(u);
+  Impulses done{Vector::Zero(u.size()), 0, true};"
+  "const double tol = 1e-12 * common::largest_entry(u);
+  Impulses done{Vector::Zero(u.size()), 0, false};"
+  "it always does")
+
+# Zero is believed to be the border, whatever rounding leaves.
+add_mutant(${lab} zone_to_zero 7.6
+  "const double tol = 1e-12 * common::largest_entry(u);
+  Impulses done{Vector::Zero(u.size()), 0, true};"
+  "const double tol = 0.0 * common::largest_entry(u);
+  Impulses done{Vector::Zero(u.size()), 0, true};"
+  "comes by rounding alone")
 
 # ---- 7.7 ----
 
+# Each tangent is believed to have a limit of its own.
+add_mutant(${lab} disc_is_a_box 7.7
+  "return length > limit ? limit / length * tangential : tangential;"
+  "return tangential.cwiseMax(-corner).cwiseMin(corner);"
+  "the disc is a box")
+
+# The rule is passed over.
+add_mutant(${lab} disc_for_all_rules 7.7
+  "if (rule == FrictionRule::disc) return"
+  "if (rule == FrictionRule::disc || length >= 0.0) return"
+  "every rule is the disc")
+
+# |t| + |s| is taken for each of the two.
+add_mutant(${lab} diamond_is_a_box 7.7
+  "if (rule == FrictionRule::box)"
+  "if (rule != FrictionRule::disc)"
+  "the diamond is a box")
+
+# The nearest point is believed to lie towards the middle.
+add_mutant(${lab} diamond_scaled 7.7
+  "const double left = std::clamp(size.x() - 0.5 * (size.sum() - limit), 0.0, limit);  // eq. (10)"
+  "if (size.sum() > 0.0) return limit / size.sum() * tangential;
+  const double left = std::clamp(size.x() - 0.5 * (size.sum() - limit), 0.0, limit);  // eq. (10)"
+  "the pair is scaled to the diamond")
+
+# The corners of the diamond are forgotten.
+add_mutant(${lab} diamond_past_zero 7.7
+  "const double left = std::clamp(size.x() - 0.5 * (size.sum() - limit), 0.0, limit);  // eq. (10)
+  return {std::copysign(left, tangential.x()), std::copysign(limit - left, tangential.y())};"
+  "const double less = 0.5 * (size.sum() - limit);
+  return {tangential.x() < 0.0 ? less - size.x() : size.x() - less,
+          tangential.y() < 0.0 ? less - size.y() : size.y() - less};"
+  "goes past zero")
+
+# Each component is believed to have to make up for all that is too much.
+add_mutant(${lab} diamond_by_whole 7.7
+  "const double left = std::clamp(size.x() - 0.5 * (size.sum() - limit), 0.0, limit);  // eq. (10)
+  return {std::copysign(left, tangential.x()), std::copysign(limit - left, tangential.y())};"
+  "const double less = size.sum() - limit;
+  const Vec2 left = (size - Vec2(less, less)).cwiseMax(0.0);
+  return {std::copysign(left.x(), tangential.x()), std::copysign(left.y(), tangential.y())};"
+  "each loses half of it")
+
+# Sizes are returned for the components.
+add_mutant(${lab} diamond_without_signs 7.7
+  "return {std::copysign(left, tangential.x()), std::copysign(limit - left, tangential.y())};"
+  "return {left, limit - left};"
+  "the diamond loses the signs")
+
+# Friction is believed to be always at its limit.
+add_mutant(${lab} disc_always_on_rim 7.7
+  "return length > limit ?"
+  "return length > 0.0 ?"
+  "scales short pairs up")
+
+# A component is believed to have one end.
+add_mutant(${lab} box_upper_end_only 7.7
+  "return tangential.cwiseMax(-corner).cwiseMin(corner);"
+  "return tangential.cwiseMin(corner);"
+  "no lower end")
+
+# Each row is believed to take its own step, as without friction.
+add_mutant(${lab} step_a_row 7.7
+  "const Vec2 next = Vec2(lambda[t], lambda[s]) - q * slip;"
+  "const Vec2 next(lambda[t] - slip.x() / A(t, t), lambda[s] - slip.y() / A(s, s));"
+  "a step of its own")
+
+# The pair is believed to be solved best by the inverse of its block.
+add_mutant(${lab} step_by_inverse 7.7
+  "const Vec2 next = Vec2(lambda[t], lambda[s]) - q * slip;"
+  "const double det = A(t, t) * A(s, s) - A(t, s) * A(t, s);
+      const Vec2 back(A(s, s) * slip.x() - A(t, s) * slip.y(),
+                      A(t, t) * slip.y() - A(t, s) * slip.x());
+      const Vec2 next = Vec2(lambda[t], lambda[s]) - back / det;"
+  "inverse of A_TT is no step")
+
+# The tangents are believed not to know of each other.
+add_mutant(${lab} step_by_diagonal 7.7
+  "std::hypot(half, A(t, s))"
+  "std::hypot(half, 0.0)"
+  "the diagonal of A_TT only")
+
+# Rows are believed to come in any order.
+add_mutant(${lab} tangents_first 7.7
+  "lambda[n] = std::max(0.0, lambda[n] - row(A, b, lambda, n) / A(n, n));
+      const Vec2 slip(row(A, b, lambda, t), row(A, b, lambda, s));
+      const double half = 0.5 * (A(t, t) - A(s, s));
+      const double q = 1.0 / (0.5 * (A(t, t) + A(s, s)) + std::hypot(half, A(t, s)));
+      const Vec2 next = Vec2(lambda[t], lambda[s]) - q * slip;
+      lambda.segment<2>(t) = limited(next, friction * lambda[n], rule);  // eq. (11)"
+  "const Vec2 slip(row(A, b, lambda, t), row(A, b, lambda, s));
+      const double half = 0.5 * (A(t, t) - A(s, s));
+      const double q = 1.0 / (0.5 * (A(t, t) + A(s, s)) + std::hypot(half, A(t, s)));
+      const Vec2 next = Vec2(lambda[t], lambda[s]) - q * slip;
+      lambda.segment<2>(t) = limited(next, friction * lambda[n], rule);  // eq. (11)
+      lambda[n] = std::max(0.0, lambda[n] - row(A, b, lambda, n) / A(n, n));"
+  "the tangents come first")
+
+# Normal and tangents are believed not to know of each other.
+add_mutant(${lab} slip_before_normal 7.7
+  "lambda[n] = std::max(0.0, lambda[n] - row(A, b, lambda, n) / A(n, n));
+      const Vec2 slip(row(A, b, lambda, t), row(A, b, lambda, s));"
+  "const Vec2 slip(row(A, b, lambda, t), row(A, b, lambda, s));
+      lambda[n] = std::max(0.0, lambda[n] - row(A, b, lambda, n) / A(n, n));"
+  "before the normal impulse")
+
+# The limit is read before the normal impulse is worked out.
+add_mutant(${lab} limit_of_before 7.7
+  "lambda[n] = std::max(0.0, lambda[n] - row(A, b, lambda, n) / A(n, n));
+      const Vec2 slip(row(A, b, lambda, t), row(A, b, lambda, s));
+      const double half = 0.5 * (A(t, t) - A(s, s));
+      const double q = 1.0 / (0.5 * (A(t, t) + A(s, s)) + std::hypot(half, A(t, s)));
+      const Vec2 next = Vec2(lambda[t], lambda[s]) - q * slip;
+      lambda.segment<2>(t) = limited(next, friction * lambda[n], rule);  // eq. (11)"
+  "const double before = lambda[n];
+      lambda[n] = std::max(0.0, lambda[n] - row(A, b, lambda, n) / A(n, n));
+      const Vec2 slip(row(A, b, lambda, t), row(A, b, lambda, s));
+      const double half = 0.5 * (A(t, t) - A(s, s));
+      const double q = 1.0 / (0.5 * (A(t, t) + A(s, s)) + std::hypot(half, A(t, s)));
+      const Vec2 next = Vec2(lambda[t], lambda[s]) - q * slip;
+      lambda.segment<2>(t) = limited(next, friction * std::max(0.0, before), rule);  // eq. (11)"
+  "the old lambda_n")
+
+# The pressure of a body is believed to be that of all its contacts.
+add_mutant(${lab} limit_of_all 7.7
+  "limited(next, friction * lambda[n], rule)"
+  "limited(next, friction * [&] {
+        double all = 0.0;
+        for (int k = 0; k < b.size(); k += 3) all += lambda[k];
+        return all;
+      }(), rule)"
+  "all contacts together")
+
+# The limit is believed to be the pressure.
+add_mutant(${lab} limit_without_mu 7.7
+  "limited(next, friction * lambda[n], rule)"
+  "limited(next, lambda[n], rule)"
+  "mu is missing")
+
+# Each sweep is believed to find friction from nothing.
+add_mutant(${lab} friction_without_memory 7.7
+  "Vec2(lambda[t], lambda[s]) - q * slip"
+  "-q * slip"
+  "so far are forgotten")
+
+# The sign of friction is lost.
+add_mutant(${lab} friction_along_the_slip 7.7
+  "Vec2(lambda[t], lambda[s]) - q * slip"
+  "Vec2(lambda[t], lambda[s]) + q * slip"
+  "pushes along the slip")
+
+# The rule is not handed on.
+add_mutant(${lab} friction_always_box 7.7
+  "lambda[n], rule);"
+  "lambda[n], FrictionRule::box);"
+  "taken for the box")
+
+# Friction is believed to be mu times the pressure, whether it slips or not.
+add_mutant(${lab} friction_on_the_rim 7.7
+  "limited(next, friction"
+  "limited(rule == FrictionRule::disc ? Vec2(1e9 * next) : next, friction"
+  "sticks with less")
+
+# A contact is believed to be able to pull.
+add_mutant(${lab} friction_that_pulls 7.7
+  "lambda[n] = std::max(0.0, lambda[n] - row(A, b, lambda, n) / A(n, n));
+      const Vec2 slip(row(A, b, lambda, t), row(A, b, lambda, s));
+      const double half = 0.5 * (A(t, t) - A(s, s));
+      const double q = 1.0 / (0.5 * (A(t, t) + A(s, s)) + std::hypot(half, A(t, s)));
+      const Vec2 next = Vec2(lambda[t], lambda[s]) - q * slip;
+      lambda.segment<2>(t) = limited(next, friction * lambda[n], rule);  // eq. (11)"
+  "lambda[n] = lambda[n] - row(A, b, lambda, n) / A(n, n);
+      const Vec2 slip(row(A, b, lambda, t), row(A, b, lambda, s));
+      const double half = 0.5 * (A(t, t) - A(s, s));
+      const double q = 1.0 / (0.5 * (A(t, t) + A(s, s)) + std::hypot(half, A(t, s)));
+      const Vec2 next = Vec2(lambda[t], lambda[s]) - q * slip;
+      lambda.segment<2>(t) = limited(next, std::max(0.0, friction * lambda[n]), rule);  // eq. (11)"
+  "lambda_n is not clamped")
+
+# The change is clamped, so that nothing is given back.
+add_mutant(${lab} friction_change_clamped 7.7
+  "lambda[n] = std::max(0.0, lambda[n] - row(A, b, lambda, n) / A(n, n));"
+  "lambda[n] += std::max(0.0, -row(A, b, lambda, n) / A(n, n));"
+  "the change of lambda_n")
+
+# All contacts are believed to see the same velocities, those of the sweep's start.
+add_mutant(${lab} friction_all_at_once 7.7
+  "  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (int n = 0; n < b.size(); n += 3) {
+      const int t = n + 1;
+      const int s = n + 2;
+      lambda[n] = std::max(0.0, lambda[n] - row(A, b, lambda, n) / A(n, n));
+      const Vec2 slip(row(A, b, lambda, t), row(A, b, lambda, s));"
+  "  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    const Vector seen = lambda;
+    for (int n = 0; n < b.size(); n += 3) {
+      const int t = n + 1;
+      const int s = n + 2;
+      lambda[n] = std::max(0.0, lambda[n] - row(A, b, seen, n) / A(n, n));
+      const Vec2 slip(row(A, b, seen, t), row(A, b, seen, s));"
+  "the start of the sweep")
+
+# Rows are believed to come kind by kind.
+add_mutant(${lab} rows_by_kind 7.7
+  "    for (int n = 0; n < b.size(); n += 3) {
+      const int t = n + 1;
+      const int s = n + 2;
+      lambda[n] = std::max(0.0, lambda[n] - row(A, b, lambda, n) / A(n, n));
+      const Vec2 slip(row(A, b, lambda, t), row(A, b, lambda, s));
+      const double half = 0.5 * (A(t, t) - A(s, s));
+      const double q = 1.0 / (0.5 * (A(t, t) + A(s, s)) + std::hypot(half, A(t, s)));
+      const Vec2 next = Vec2(lambda[t], lambda[s]) - q * slip;
+      lambda.segment<2>(t) = limited(next, friction * lambda[n], rule);  // eq. (11)"
+  "    const int m = static_cast<int>(b.size()) / 3;
+    for (int n = 0; n < m; ++n) {
+      const int t = m + n;
+      const int s = 2 * m + n;
+      lambda[n] = std::max(0.0, lambda[n] - row(A, b, lambda, n) / A(n, n));
+      const Vec2 slip(row(A, b, lambda, t), row(A, b, lambda, s));
+      const double half = 0.5 * (A(t, t) - A(s, s));
+      const double q = 1.0 / (0.5 * (A(t, t) + A(s, s)) + std::hypot(half, A(t, s)));
+      const Vec2 next = Vec2(lambda[t], lambda[s]) - q * slip;
+      const Vec2 found = limited(next, friction * lambda[n], rule);  // eq. (11)
+      lambda[t] = found.x();
+      lambda[s] = found.y();"
+  "all n, then all t")
+
+# The normals are believed to be the law.
+add_mutant(${lab} friction_not_judged 7.7
+  "most = std::max(most, (now - limited(now - slip, limit, FrictionRule::disc)).norm());"
+  ""
+  "friction is not judged")
+
+# The law's bound is taken for a box.
+add_mutant(${lab} judged_by_box 7.7
+  "limit, FrictionRule::disc)).norm()"
+  "limit, FrictionRule::box)).norm()"
+  "each tangent is judged by itself")
+
+# Contacts are believed not to slip.
+add_mutant(${lab} slip_is_a_breach 7.7
+  "(now - limited(now - slip, limit, FrictionRule::disc)).norm()"
+  "slip.norm()"
+  "all slip is a breach")
+
+# Friction is believed to be right if it is within its bounds.
+add_mutant(${lab} bounds_alone_judged 7.7
+  "limited(now - slip, limit"
+  "limited(now, limit"
+  "only the bound is judged")
+
+# The limit is believed to be the pressure.
+add_mutant(${lab} judged_without_mu 7.7
+  "const double limit = friction * std::max(0.0, lambda[n]);"
+  "const double limit = std::max(0.0, lambda[n]);"
+  "mu is missing")
+
+# A pull is believed to press.
+add_mutant(${lab} judged_by_size 7.7
+  "const double limit = friction * std::max(0.0, lambda[n]);"
+  "const double limit = friction * std::abs(lambda[n]);"
+  "a contact that pulls has friction")
+
+# Breaches are believed to add up.
+add_mutant(${lab} breaches_added 7.7
+  "most = std::max(most, std::abs(std::min(lambda[n], row(A, b, lambda, n))));  // eq. (12)
+    most = std::max(most, (now - limited(now - slip, limit, FrictionRule::disc)).norm());"
+  "most += std::abs(std::min(lambda[n], row(A, b, lambda, n)));  // eq. (12)
+    most += (now - limited(now - slip, limit, FrictionRule::disc)).norm();"
+  "the breaches are added")
+
+# Pressure at a contact that opens is believed to be harmless.
+add_mutant(${lab} only_approach_judged 7.7
+  "std::abs(std::min(lambda[n], row(A, b, lambda, n)))"
+  "std::max(0.0, -row(A, b, lambda, n))"
+  "only an approach is a breach")
+
 # ---- 7.8 ----
+
+# Momentum is believed to help always.
+add_mutant(${lab} never_restarts 7.8
+  "if (g.dot(change) > 0.0) s = 1.0;"
+  ""
+  "there is no restart")
+
+# The momentum of the step that went uphill is kept.
+add_mutant(${lab} restarts_late 7.8
+  "    if (g.dot(change) > 0.0) s = 1.0;
+    const double s_next = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * s * s));
+    y = next + (s - 1.0) / s_next * change;
+    lambda = next;
+    s = s_next;
+"
+  "    const double s_next = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * s * s));
+    y = next + (s - 1.0) / s_next * change;
+    lambda = next;
+    s = g.dot(change) > 0.0 ? 1.0 : s_next;
+"
+  "a step late")
+
+# A step uphill is believed to be wasted.
+add_mutant(${lab} step_taken_back 7.8
+  "y = next + (s - 1.0) / s_next * change;
+    lambda = next;
+    s = s_next;"
+  "if (s == 1.0 && step > 0) {
+      y = lambda;
+      s = s_next;
+      continue;
+    }
+    y = next + (s - 1.0) / s_next * change;
+    lambda = next;
+    s = s_next;"
+  "takes the step back")
+
+# The point ahead is taken for the impulses.
+add_mutant(${lab} returns_the_point_ahead 7.8
+  "    s = s_next;
+  }
+  return lambda;"
+  "    s = s_next;
+  }
+  return y;"
+  "y is returned")
+
+# The point ahead is believed to have to push as well.
+add_mutant(${lab} clamps_the_point_ahead 7.8
+  "y = next + (s - 1.0) / s_next * change;"
+  "y = (next + (s - 1.0) / s_next * change).cwiseMax(0.0);"
+  "y is clamped")
+
+# The slope is believed to be that of the impulses.
+add_mutant(${lab} slope_at_lambda 7.8
+  "common::product(A, y) + b"
+  "common::product(A, lambda) + b"
+  "the slope is taken at lambda")
+
+# The gradient is believed to be all.
+add_mutant(${lab} no_momentum 7.8
+  "y = next + (s - 1.0) / s_next * change;"
+  "y = next;"
+  "there is no momentum")
+
+# s and s' are mixed up.
+add_mutant(${lab} momentum_by_old_s 7.8
+  "y = next + (s - 1.0) / s_next * change;"
+  "y = next + (s - 1.0) / s * change;"
+  "divide by the next s")
+
+# The 4 is left out.
+add_mutant(${lab} root_without_4 7.8
+  "std::sqrt(1.0 + 4.0 * s * s)"
+  "std::sqrt(1.0 + s * s)"
+  "it is of 1 + 4 s^2")
+
+# Any number above the largest eigenvalue is believed to do as well.
+add_mutant(${lab} step_of_the_trace 7.8
+  "const double L = common::largest_eigenvalue(A);"
+  "const double L = A.trace();"
+  "L is the trace of A")
+
+# The diagonal is taken for the eigenvalues.
+add_mutant(${lab} step_of_the_diagonal 7.8
+  "const double L = common::largest_eigenvalue(A);"
+  "const double L = A.rows() == 0 ? 0.0 : A.diagonal().maxCoeff();"
+  "the largest of A's diagonal")
+
+# The impulses are believed to find their sign by themselves.
+add_mutant(${lab} acceleration_not_clamped 7.8
+  "(y - g / L).cwiseMax(0.0)"
+  "(y - g / L)"
+  "lambda is not clamped")

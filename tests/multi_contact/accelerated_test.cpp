@@ -184,6 +184,15 @@ TEST_CASE("The least and the most masses and speeds are accelerated alike", "[7.
   }
 }
 
+TEST_CASE("A matrix that is symmetric but for rounding is accelerated", "[7.8]") {
+  const ContactSystem row = tests::cradle(Vector{{1.0, 0.0, 0.0}}).system();
+  Accelerating in{row.A, row.u, 2};
+  in.A(1, 0) += 1e-10;
+  const tests::Trial trial = tests::acceleration_trial(in);
+  trial.expect(tests::accelerated_by_answer(in, trial), Vector(Vector{{4.0, 1.0}} / 9.0),
+               {1e-9, "an entry of A is off by 1e-10"});
+}
+
 TEST_CASE("The acceleration of bad input is refused", "[7.8]") {
   const std::string f = "7.8 accelerated";
   for (const int steps : {3, 0}) {

@@ -87,18 +87,20 @@ Accelerated exact_acceleration(const Accelerating& in, AccelerationFlaw flaw) {
 }
 
 const std::vector<std::pair<AccelerationFlaw, std::string>>& acceleration_flaws() {
+  const char* const no_momentum =
+      "there is no momentum: y goes on past lambda', and s = 1 only if a step went uphill";
   static const std::vector<std::pair<AccelerationFlaw, std::string>> all{
       {Flawed::never_restarts, "there is no restart: if a step went uphill, s = 1"},
-      {Flawed::always_restarts, "every step restarts: only one that went uphill, g.(l' - l) > 0"},
-      {Flawed::restarts_downhill,
-       "it restarts if a step went downhill: uphill is g.(lambda' - lambda) > 0"},
       {Flawed::restarts_late,
        "a restart comes a step late: s = 1 first, then y, which has no momentum then"},
       {Flawed::restart_steps_back, "a restart takes the step back: lambda' is kept"},
       {Flawed::returns_y, "y is returned: it is lambda that is clamped"},
       {Flawed::clamps_y, "y is clamped: only lambda is"},
       {Flawed::slope_at_lambda, "the slope is taken at lambda: g = A y + b"},
-      {Flawed::no_momentum, "there is no momentum: y goes on past lambda'"},
+      // The same values: without momentum all steps go downhill.
+      {Flawed::no_momentum, no_momentum},
+      {Flawed::always_restarts, no_momentum},
+      {Flawed::restarts_downhill, no_momentum},
       {Flawed::full_momentum, "y goes on by the whole of the last step: by (s - 1)/s' of it"},
       {Flawed::momentum_by_old_s, "the momentum is (s - 1)/s: divide by the next s"},
       {Flawed::momentum_by_s, "the momentum is s/s': it is (s - 1)/s'"},

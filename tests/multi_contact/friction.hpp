@@ -41,7 +41,7 @@ enum class LimitFlaw {
   always_on_rim,
   scaled_by_largest,
   squared_length,
-  sign_lost,
+  diamond_without_signs,
   upper_end_only,
   not_limited
 };

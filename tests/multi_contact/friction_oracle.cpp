@@ -40,6 +40,7 @@ Pair in_diamond(const Pair& p, Wide limit, LimitFlaw flaw) {
     left[0] = std::clamp(left[0], Wide(0), limit);
     left[1] = limit - left[0];
   }
+  if (flaw == LimitFlaw::diamond_without_signs) return left;
   return {p[0] < 0 ? -left[0] : left[0], p[1] < 0 ? -left[1] : left[1]};
 }
 
@@ -60,7 +61,7 @@ Pair nearest_pair(const Pair& p, Wide limit, FrictionRule rule, LimitFlaw flaw =
   Pair q = boxed(p, limit, flaw == LimitFlaw::upper_end_only);
   if (taken == FrictionRule::disc) q = in_disc(p, limit, flaw);
   if (taken == FrictionRule::diamond) q = in_diamond(p, limit, flaw);
-  return flaw == LimitFlaw::sign_lost ? Pair{std::abs(q[0]), std::abs(q[1])} : q;
+  return q;
 }
 
 /// (11) once more, with a flaw.

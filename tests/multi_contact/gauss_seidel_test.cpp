@@ -168,7 +168,7 @@ TEST_CASE("A sweep never raises the energy that it brings to its least", "[7.3]"
       trial.of("lambda").expect(got, tests::lambda_after(in),
                                 {1e-12, "some 30 operations on numbers up to 100"});
       trial.expect_small("by how much a sweep raises lambda.(A lambda/2 + b)",
-                         std::max(0.0, now - before), {1e-12, "rounding of numbers up to 100"});
+                         std::max(now - before, 0.0), {1e-12, "rounding of numbers up to 100"});
       before = now;
     }
   }
@@ -186,7 +186,7 @@ TEST_CASE("On a table sweeps agree on velocities though not on impulses", "[7.3]
     trial.of("A lambda + b")
         .expect(tests::exact_row_sums(table.A, got, table.u), wanted,
                 {1e-12, "each sweep shrinks the error to 5/49; then rounding"});
-    trial.expect_small("how far some lambda pulls", std::max(0.0, -got.minCoeff()),
+    trial.expect_small("how far some lambda pulls", std::max(-got.minCoeff(), 0.0),
                        {0.0, "it is clamped"});
   }
 }

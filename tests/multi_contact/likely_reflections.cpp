@@ -137,9 +137,10 @@ std::vector<Reflecting> reflection_inputs() {
           {row, 1.0, 2},
           {row, 1.0, 1},
           {row, 0.0, 9},
+          {cradle(Vector{{1.0, 0.0, 0.0, 0.0, 0.0}}).system(), 1.0, 1},
           {unequal, 0.75, 9},
           {unequal, 0.5, 2},
-          {cradle(Vector{{1.0, 0.0, 0.5}}).system(), 0.25, 9},
+          {cradle(Vector{{1.0, 0.0, 0.25}}).system(), 0.25, 9},
           {cradle(Vector{{1.0, 1.0, 0.0, 0.0}}).system(), 0.75, 9},
           {row_of_balls(Vector{{1.0, 2.0, 1.0}}, Vector{{1.0, 0.0, -1.0}}).system(), 0.25, 9},
           {dumb_bell().system(), 0.75, 9}};
@@ -148,11 +149,12 @@ std::vector<Reflecting> reflection_inputs() {
 Mistake<Reflecting, Done> mistake_of_reflections(const ToldOfReflections& told) {
   const auto [flaw, story] = told;
   return {story, [flaw = flaw](const Reflecting& in, const Done& got) {
+            const bool at_border = in.most == most_at_border;
+            if (at_border && !is_about_the_border(flaw)) return true;
             const Done wanted{exact_reflections(in, flaw)};
-            if (is_about_the_border(flaw) && in.most != most_at_border) {
-              return near(got.impulses.lambda, wanted.impulses.lambda);
-            }
-            return near(got, wanted);
+            return at_border || !is_about_the_border(flaw)
+                       ? near(got, wanted)
+                       : near(got.impulses.lambda, wanted.impulses.lambda);
           }};
 }
 

@@ -1,9 +1,11 @@
 // Restitution, the cap, jams, and what counts as an approach in step 7.5.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "catch.hpp"
 #include "impulses.hpp"
+#include "refused.hpp"
 
 using lab::multi_contact::Matrix;
 using lab::multi_contact::Vector;
@@ -32,9 +34,9 @@ TEST_CASE("Restitution goes straight from the outcome without it to that with al
   // The cradle: (1/3, 1/3, 1/3) and (0, 0, 1). Energies above the first go with the square of e.
   const Scene scene = tests::cradle(Vector{{1.0, 0.0, 0.0}});
   int index = 0;
-  for (const double e : {0.0, 0.125, 0.25, 0.5, 0.75, 1.0}) {
+  for (const double e : {0.0, 1e-100, 0.125, 0.25, 0.5, 0.75, 1.0}) {
     const Reflecting in{scene.system(), e};
-    const tests::Trial trial = tests::reflections_trial(in, ++index, 6);
+    const tests::Trial trial = tests::reflections_trial(in, ++index, 7);
     const Impulses done = tests::reflected_by_answer(in, trial);
     tests::expect_impulses(trial, done,
                            {Vector{{2.0 + e, 1.0 + 2.0 * e}} / 3.0, e > 0.0 ? 2 : 0, true},
@@ -130,10 +132,10 @@ TEST_CASE("What rests or parts is not reflected", "[7.5]") {
 TEST_CASE("A contact approaches if it does by 1e-12 of the largest speed", "[7.5]") {
   int index = 0;
   for (const double size : {1.0, 1e-6, 1e6}) {
-    for (const double part : {0.5e-12, 0.999e-12, 1.001e-12, 2e-12, 1e-9, 1e-4}) {
+    for (const double share : {0.5, 1.0 - 1e-12, 1.0 + 1e-12, 2.0, 1e3, 1e8}) {
       // Contacts that know nothing of each other; the other one parts.
-      const double u = -part * size;
-      const bool comes = part > 1e-12;
+      const double u = -share * 1e-12 * size;
+      const bool comes = share > 1.0;
       expect_reflections({{Matrix::Identity(2, 2), Vector{{size, u}}}},
                          {Vector{{0.0, comes ? -2.0 * u : 0.0}}, comes ? 1 : 0, true},
                          {8.0 * eps * -u, "twice u"}, ++index, 20);
@@ -178,5 +180,40 @@ TEST_CASE("The least and the most masses and speeds are reflected alike", "[7.5]
     expect_reflections({{yields * scene.system().A, speed * scene.system().u}, 0.5},
                        {Vector{{5.0, 4.0}} * (size / 6.0), 2, true}, tests::of_solutions(3, size),
                        ++index, 6);
+  }
+}
+
+TEST_CASE("A matrix that is symmetric but for rounding and any cap are taken", "[7.5]") {
+  Reflecting in{tests::cradle(Vector{{1.0, 0.0, 0.0}}).system(), 1.0,
+                std::numeric_limits<int>::max()};
+  expect_reflections(in, {Vector{{1.0, 1.0}}, 2, true}, tests::of_solutions(2, 1.0), 1, 2);
+  in.system.A(0, 1) += 1e-10;
+  expect_reflections(in, {Vector{{1.0, 1.0}}, 2, true}, {1e-9, "an entry of A is off by 1e-10"}, 2,
+                     2);
+}
+
+TEST_CASE("Reflections of bad input are refused", "[7.5]") {
+  using lab::multi_contact::generalized_reflections;
+  const std::string f = "7.5 generalized_reflections";
+  for (const double e : {0.5, 0.0}) {
+    for (const int most : {3, 0}) {
+      tests::refuse_systems(f, [&](const ContactSystem& bad) {
+        return generalized_reflections(bad, e, most).lambda;
+      });
+    }
+  }
+  // Also where nothing approaches.
+  for (const ContactSystem& system :
+       {tests::good_system(), tests::cradle(Vector{{0.0, 0.0, 1.0}}).system()}) {
+    tests::refuse(f, tests::bad_fractions(), "restitution",
+                  [&](double bad) { return generalized_reflections(system, bad, 3).lambda; });
+    for (const double e : {0.5, 0.0}) {
+      for (const int bad : {-1, std::numeric_limits<int>::min()}) {
+        tests::trial_of(f)
+            .given("max_reflections", bad)
+            .expect_throw([&] { return generalized_reflections(system, e, bad).lambda; },
+                          "a cap is not below zero");
+      }
+    }
   }
 }

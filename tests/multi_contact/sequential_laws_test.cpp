@@ -67,9 +67,9 @@ TEST_CASE("Elastic impulses keep energy and momentum and only push", "[7.2]") {
         .expect(scene.momentum(after) - (is_free ? 0.0 : got.lambda[0]), scene.momentum(scene.v),
                 {rounding * 54.0, "masses of 54 in all, and some roundings an impulse"});
     trial.expect_small("how far some contact still approaches",
-                       std::max(0.0, -lowest(common::product(scene.J, after))),
+                       std::max(-lowest(common::product(scene.J, after)), 0.0),
                        {rounding, "1e-12 of u, and some roundings an impulse"});
-    trial.expect_small("how far some lambda pulls", std::max(0.0, -lowest(got.lambda)),
+    trial.expect_small("how far some lambda pulls", std::max(-lowest(got.lambda), 0.0),
                        {0.0, "each impulse pushes"});
     trial.expect_small("how many of the contacts that approached got nothing",
                        static_cast<double>(std::max(0, approaching_at_first(scene) - got.count)),

@@ -36,7 +36,7 @@ void expect_solution(const ContactSystem& system, double e, int index, int count
   const tests::Bound bound{1e-12 * size, "rounding, and what the supplied solver takes for zero"};
   trial.of("A lambda + b, b_i = u_i + e min(u_i, 0)")
       .expect(tests::exact_row_sums(system.A, lambda, b), wanted->u, bound);
-  trial.expect_small("how far some lambda pulls", std::max(0.0, -lambda.minCoeff()),
+  trial.expect_small("how far some lambda pulls", std::max(-lambda.minCoeff(), 0.0),
                      {0.0, "contacts push"});
 }
 

@@ -30,7 +30,7 @@ void expect_velocities(const Scene& scene, double restitution, const Vector& wan
   const Trial trial = simultaneous_trial(system, restitution, index, count);
   const Vector lambda = simultaneous_by_answer(trial, system, restitution);
   trial.of("the velocities afterwards").expect(scene.after(lambda), wanted, solved);
-  trial.expect_small("how far some lambda pulls", std::max(0.0, -lambda.minCoeff()),
+  trial.expect_small("how far some lambda pulls", std::max(-lambda.minCoeff(), 0.0),
                      {0.0, "contacts push"});
 }
 

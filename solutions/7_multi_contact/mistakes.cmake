@@ -499,8 +499,8 @@ add_mutant(${lab} one_contact_reflected 7.5
 
 # To stop is believed to be to reflect.
 add_mutant(${lab} stopped_not_reflected 7.5
-  "2.0 * x[k]"
-  "1.0 * x[k]"
+  "common::spread(2.0 * x, V"
+  "common::spread(x, V"
   "x is added once")
 
 # One reflection is believed to leave nothing that approaches.
@@ -511,24 +511,28 @@ add_mutant(${lab} one_reflection 7.5
 
 # Restitution is believed to act at each meeting, as one after the other.
 add_mutant(${lab} restitution_in_each 7.5
-  "    for (std::size_t k = 0; k < V.size(); ++k) {  // eq. (7)
-      done.lambda[V[k]] += 2.0 * x[k];
-      u += 2.0 * x[k] * A.col(V[k]);
-    }
+  "    const Vector twice = common::spread(2.0 * x, V, u.size());  // eq. (7)
+    done.lambda += twice;
+    u += common::product(A, twice);
     ++done.count;
     V = approaching(u, tol);
   }
   done.ended = V.empty();
   done.lambda = (1.0 - restitution) * inelastic + restitution * done.lambda;  // eq. (8)"
-  "    for (std::size_t k = 0; k < V.size(); ++k) {  // eq. (7)
-      done.lambda[V[k]] += (1.0 + restitution) * x[k];
-      u += (1.0 + restitution) * x[k] * A.col(V[k]);
-    }
+  "    const Vector twice = common::spread((1.0 + restitution) * x, V, u.size());  // eq. (7)
+    done.lambda += twice;
+    u += common::product(A, twice);
     ++done.count;
     V = approaching(u, tol);
   }
   done.ended = V.empty();"
   "e is in each reflection: take")
+
+# The same, and the blend is made as well.
+add_mutant(${lab} restitution_twice 7.5
+  "spread(2.0 * x"
+  "spread((1.0 + restitution) * x"
+  "in the blend again")
 
 # The two shares of the blend are swapped.
 add_mutant(${lab} blend_reversed 7.5
@@ -548,6 +552,12 @@ add_mutant(${lab} no_blend 7.5
   "done.lambda = 1.0 * done.lambda"
   "there is no blend")
 
+# Restitution is believed to scale the impulse.
+add_mutant(${lab} blend_with_nothing 7.5
+  "(1.0 - restitution) * inelastic + restitution * done.lambda"
+  "restitution * done.lambda"
+  "lambda_0 is missing")
+
 # What is left over is believed to be blended with.
 add_mutant(${lab} rest_of_reflected 7.5
   "(1.0 - restitution) * inelastic + restitution * done.lambda"
@@ -556,14 +566,14 @@ add_mutant(${lab} rest_of_reflected 7.5
 
 # The last reflection is believed to be the impulse.
 add_mutant(${lab} reflection_overwrites 7.5
-  "done.lambda[V[k]] += 2.0 * x[k];"
-  "done.lambda[V[k]] = 2.0 * x[k];"
+  "done.lambda += twice;"
+  "for (int i : V) done.lambda[i] = twice[i];"
   "overwrites lambda")
 
 # Contacts that do not approach are believed to notice nothing.
 add_mutant(${lab} only_their_speeds 7.5
-  "u += 2.0 * x[k] * A.col(V[k]);"
-  "for (int i : V) u[i] += 2.0 * x[k] * A(i, V[k]);"
+  "u += common::product(A, twice);"
+  "for (int i : V) u[i] += common::row_product(A, i, twice);"
   "only the u of V")
 
 # The cap is counted from zero.
@@ -572,11 +582,23 @@ add_mutant(${lab} one_reflection_more 7.5
   "done.count <= max_reflections"
   "one reflection more")
 
+# Reflections are believed to end by themselves.
+add_mutant(${lab} reflections_without_cap 7.5
+  "done.count < max_reflections"
+  "done.count < 60 + 0 * max_reflections"
+  "is passed over")
+
 # The count is believed to tell whether it was cut short.
 add_mutant(${lab} reflections_ended_by_count 7.5
   "done.ended = V.empty();"
   "done.ended = done.count < max_reflections;"
   "was just enough")
+
+# A function that returns is believed to have ended its work.
+add_mutant(${lab} reflections_always_ended 7.5
+  "done.ended = V.empty();"
+  "done.ended = true;"
+  "it has ended though")
 
 # e = 0 is believed to be a blend like any other.
 add_mutant(${lab} reflections_without_e 7.5
@@ -592,21 +614,43 @@ add_mutant(${lab} reflections_to_zero 7.5
   Impulses done{Vector::Zero(u.size())};"
   "comes by rounding alone")
 
+# What comes slowly is believed to rest.
+add_mutant(${lab} reflections_of_the_fast 7.5
+  "const double tol = 1e-12 * common::largest_entry(u);
+  Impulses done{Vector::Zero(u.size())};"
+  "const double tol = 1e-9 * common::largest_entry(u);
+  Impulses done{Vector::Zero(u.size())};"
+  "a slow approach is taken for none")
+
+# A speed is compared with a number without a unit.
+add_mutant(${lab} reflections_by_metres 7.5
+  "const double tol = 1e-12 * common::largest_entry(u);
+  Impulses done{Vector::Zero(u.size())};"
+  "const double tol = 1e-12;
+  Impulses done{Vector::Zero(u.size())};"
+  "the border is 1e-12 at any speed")
+
+# What counts as an approach is asked for anew each time.
+add_mutant(${lab} border_follows_u 7.5
+  "V = approaching(u, tol);"
+  "V = approaching(u, 1e-12 * common::largest_entry(u));"
+  "the border follows u")
+
 # ---- 7.6 ----
 
 # To stop what approaches is believed to bring no other contact to approach.
 add_mutant(${lab} zone_does_not_grow 7.6
-  "for (std::size_t k = 0; k < Z.size(); ++k) done.lambda[Z[k]] = x[k];  // eq. (9)
+  "done.lambda = common::spread(x, Z, u.size());  // eq. (9)
     ++done.count;"
-  "for (std::size_t k = 0; k < Z.size(); ++k) done.lambda[Z[k]] = x[k];  // eq. (9)
+  "done.lambda = common::spread(x, Z, u.size());  // eq. (9)
     ++done.count;
     return done;"
   "the zone does not grow")
 
 # A contact is believed to push only, here as well.
 add_mutant(${lab} zone_only_pushes 7.6
-  "done.lambda[Z[k]] = x[k];"
-  "done.lambda[Z[k]] = std::max(0.0, x[k]);"
+  "common::spread(x, Z,"
+  "common::spread(x.cwiseMax(0.0), Z,"
   "lambda is cut off at zero")
 
 # What is held is believed to be the problem of step 7.4.
@@ -634,10 +678,10 @@ add_mutant(${lab} zone_of_what_rests 7.6
 # What is stopped once is believed to stay so.
 add_mutant(${lab} zone_of_the_new 7.6
   "const Vector x = common::least_norm_solution(common::block(A, Z), -common::entries(u, Z));
-    for (std::size_t k = 0; k < Z.size(); ++k) done.lambda[Z[k]] = x[k];  // eq. (9)"
+    done.lambda = common::spread(x, Z, u.size());  // eq. (9)"
   "const Vector x =
         common::least_norm_solution(common::block(A, more), -common::entries(now, more));
-    for (std::size_t k = 0; k < more.size(); ++k) done.lambda[more[k]] = x[k];  // eq. (9)"
+    done.lambda += common::spread(x, more, u.size());"
   "only the new contacts are stopped")
 
 # The zone is believed to be what approaches now.
@@ -658,19 +702,34 @@ add_mutant(${lab} zone_of_speeds_now 7.6
   "-common::entries(now, Z)"
   "solved for u + A lambda")
 
+# A sign is lost.
+add_mutant(${lab} zone_wrong_way 7.6
+  "-common::entries(u, Z)"
+  "common::entries(u, Z)"
+  "the wrong sign")
+
 # The fail-safe is believed to reflect.
 add_mutant(${lab} zone_reflects 7.6
-  "done.lambda[Z[k]] = x[k];"
-  "done.lambda[Z[k]] = 2.0 * x[k];"
+  "common::spread(x, Z,"
+  "common::spread(2.0 * x, Z,"
   "twice those that stop")
 
 # The contacts of the zone are counted.
 add_mutant(${lab} zone_counts_contacts 7.6
-  "for (std::size_t k = 0; k < Z.size(); ++k) done.lambda[Z[k]] = x[k];  // eq. (9)
+  "done.lambda = common::spread(x, Z, u.size());  // eq. (9)
     ++done.count;"
-  "for (std::size_t k = 0; k < Z.size(); ++k) done.lambda[Z[k]] = x[k];  // eq. (9)
+  "done.lambda = common::spread(x, Z, u.size());  // eq. (9)
     done.count += static_cast<int>(more.size());"
   "is that of contacts")
+
+# The last look is counted as a round.
+add_mutant(${lab} zone_counts_the_look 7.6
+  "if (more.empty()) return done;"
+  "if (more.empty()) {
+      ++done.count;
+      return done;
+    }"
+  "the last look")
 
 # `ended` is left as it begins.
 add_mutant(${lab} zone_not_ended 7.6
@@ -688,19 +747,54 @@ add_mutant(${lab} zone_to_zero 7.6
   Impulses done{Vector::Zero(u.size()), 0, true};"
   "comes by rounding alone")
 
+# What comes slowly is believed to rest.
+add_mutant(${lab} zone_of_the_fast 7.6
+  "const double tol = 1e-12 * common::largest_entry(u);
+  Impulses done{Vector::Zero(u.size()), 0, true};"
+  "const double tol = 1e-9 * common::largest_entry(u);
+  Impulses done{Vector::Zero(u.size()), 0, true};"
+  "a slow approach is taken for none")
+
+# A speed is compared with a number without a unit.
+add_mutant(${lab} zone_by_metres 7.6
+  "const double tol = 1e-12 * common::largest_entry(u);
+  Impulses done{Vector::Zero(u.size()), 0, true};"
+  "const double tol = 1e-12;
+  Impulses done{Vector::Zero(u.size()), 0, true};"
+  "the border is 1e-12 at any speed")
+
+# What counts as an approach is asked for anew each time.
+add_mutant(${lab} zone_border_follows_u 7.6
+  "const std::vector<int> more = approaching(now, tol);"
+  "const std::vector<int> more = approaching(now, 1e-12 * common::largest_entry(now));"
+  "the border follows u")
+
 # ---- 7.7 ----
 
 # Each tangent is believed to have a limit of its own.
 add_mutant(${lab} disc_is_a_box 7.7
   "return length > limit ? limit / length * tangential : tangential;"
-  "return tangential.cwiseMax(-corner).cwiseMin(corner);"
+  "return tangential.cwiseMax(-limit).cwiseMin(limit);"
   "the disc is a box")
+
+# Bounds are believed to be round.
+add_mutant(${lab} box_is_a_disc 7.7
+  "if (rule == FrictionRule::disc) return"
+  "if (rule != FrictionRule::diamond) return"
+  "the box is a disc")
 
 # The rule is passed over.
 add_mutant(${lab} disc_for_all_rules 7.7
   "if (rule == FrictionRule::disc) return"
   "if (rule == FrictionRule::disc || length >= 0.0) return"
   "every rule is the disc")
+
+# The rule is passed over.
+add_mutant(${lab} box_for_all_rules 7.7
+  "if (rule == FrictionRule::disc) return"
+  "if (length >= 0.0) return tangential.cwiseMax(-limit).cwiseMin(limit);
+  if (rule == FrictionRule::disc) return"
+  "every rule is the box")
 
 # |t| + |s| is taken for each of the two.
 add_mutant(${lab} diamond_is_a_box 7.7
@@ -745,6 +839,18 @@ add_mutant(${lab} disc_always_on_rim 7.7
   "return length > 0.0 ?"
   "scales short pairs up")
 
+# The length is taken for the larger component.
+add_mutant(${lab} disc_by_the_larger 7.7
+  "limit / length * tangential"
+  "limit / tangential.cwiseAbs().maxCoeff() * tangential"
+  "divides by the larger component")
+
+# The root is believed to be saved by squares, of one side only.
+add_mutant(${lab} disc_by_squares 7.7
+  "return length > limit ?"
+  "return length * length > limit ?"
+  "the squared length")
+
 # A component is believed to have one end.
 add_mutant(${lab} box_upper_end_only 7.7
   "return tangential.cwiseMax(-corner).cwiseMin(corner);"
@@ -766,11 +872,29 @@ add_mutant(${lab} step_by_inverse 7.7
       const Vec2 next = Vec2(lambda[t], lambda[s]) - back / det;"
   "inverse of A_TT is no step")
 
+# The trace is taken for the eigenvalue.
+add_mutant(${lab} step_by_trace 7.7
+  "const double q = 1.0 / (0.5 * (A(t, t) + A(s, s)) + std::hypot(half, A(t, s)));"
+  "const double q = 1.0 / (A(t, t) + A(s, s));"
+  "the trace of A_TT")
+
 # The tangents are believed not to know of each other.
 add_mutant(${lab} step_by_diagonal 7.7
   "std::hypot(half, A(t, s))"
   "std::hypot(half, 0.0)"
   "the diagonal of A_TT only")
+
+# The other root is taken.
+add_mutant(${lab} step_by_smaller 7.7
+  "+ std::hypot(half, A(t, s))"
+  "- std::hypot(half, A(t, s))"
+  "the smaller eigenvalue")
+
+# The first tangent is believed to stand for both.
+add_mutant(${lab} step_of_t 7.7
+  "const double q = 1.0 / (0.5 * (A(t, t) + A(s, s)) + std::hypot(half, A(t, s)));"
+  "const double q = 1.0 / A(t, t);"
+  "q is 1/A_tt")
 
 # Rows are believed to come in any order.
 add_mutant(${lab} tangents_first 7.7
@@ -847,6 +971,12 @@ add_mutant(${lab} friction_always_box 7.7
   "lambda[n], FrictionRule::box);"
   "taken for the box")
 
+# The rule is not handed on.
+add_mutant(${lab} friction_always_disc 7.7
+  "lambda[n], rule);"
+  "lambda[n], FrictionRule::disc);"
+  "taken for the disc")
+
 # Friction is believed to be mu times the pressure, whether it slips or not.
 add_mutant(${lab} friction_on_the_rim 7.7
   "limited(next, friction"
@@ -879,15 +1009,13 @@ add_mutant(${lab} friction_change_clamped 7.7
 add_mutant(${lab} friction_all_at_once 7.7
   "  for (int sweep = 0; sweep < sweeps; ++sweep) {
     for (int n = 0; n < b.size(); n += 3) {
-      const int t = n + 1;
-      const int s = n + 2;
+      const auto [t, s] = std::pair(n + 1, n + 2);
       lambda[n] = std::max(0.0, lambda[n] - row(A, b, lambda, n) / A(n, n));
       const Vec2 slip(row(A, b, lambda, t), row(A, b, lambda, s));"
   "  for (int sweep = 0; sweep < sweeps; ++sweep) {
     const Vector seen = lambda;
     for (int n = 0; n < b.size(); n += 3) {
-      const int t = n + 1;
-      const int s = n + 2;
+      const auto [t, s] = std::pair(n + 1, n + 2);
       lambda[n] = std::max(0.0, lambda[n] - row(A, b, seen, n) / A(n, n));
       const Vec2 slip(row(A, b, seen, t), row(A, b, seen, s));"
   "the start of the sweep")
@@ -895,8 +1023,7 @@ add_mutant(${lab} friction_all_at_once 7.7
 # Rows are believed to come kind by kind.
 add_mutant(${lab} rows_by_kind 7.7
   "    for (int n = 0; n < b.size(); n += 3) {
-      const int t = n + 1;
-      const int s = n + 2;
+      const auto [t, s] = std::pair(n + 1, n + 2);
       lambda[n] = std::max(0.0, lambda[n] - row(A, b, lambda, n) / A(n, n));
       const Vec2 slip(row(A, b, lambda, t), row(A, b, lambda, s));
       const double half = 0.5 * (A(t, t) - A(s, s));
@@ -917,11 +1044,47 @@ add_mutant(${lab} rows_by_kind 7.7
       lambda[s] = found.y();"
   "all n, then all t")
 
+# Sweeps are believed to begin from zero.
+add_mutant(${lab} friction_from_zero 7.7
+  "Vector lambda = start;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (int n"
+  "Vector lambda = Vector::Zero(start.size());
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (int n"
+  "it begins from zero")
+
+# Sweeps are counted from zero.
+add_mutant(${lab} friction_one_more 7.7
+  "Vector lambda = start;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (int n"
+  "Vector lambda = start;
+  for (int sweep = 0; sweep <= sweeps; ++sweep) {
+    for (int n"
+  "one sweep more")
+
+# One sweep is believed to do.
+add_mutant(${lab} friction_one_sweep 7.7
+  "Vector lambda = start;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    for (int n"
+  "Vector lambda = start;
+  for (int sweep = 0; sweep < std::min(sweeps, 1); ++sweep) {
+    for (int n"
+  "there is one sweep only")
+
 # The normals are believed to be the law.
 add_mutant(${lab} friction_not_judged 7.7
   "most = std::max(most, (now - limited(now - slip, limit, FrictionRule::disc)).norm());"
   ""
   "friction is not judged")
+
+# Friction is believed to be the law.
+add_mutant(${lab} normals_not_judged 7.7
+  "most = std::max(most, std::abs(std::min(lambda[n], row(A, b, lambda, n))));  // eq. (12)"
+  ""
+  "the normal rows are not judged")
 
 # The law's bound is taken for a box.
 add_mutant(${lab} judged_by_box 7.7
@@ -934,6 +1097,12 @@ add_mutant(${lab} slip_is_a_breach 7.7
   "(now - limited(now - slip, limit, FrictionRule::disc)).norm()"
   "slip.norm()"
   "all slip is a breach")
+
+# The sign of the step is lost.
+add_mutant(${lab} judged_along_the_slip 7.7
+  "limited(now - slip, limit"
+  "limited(now + slip, limit"
+  "the step is along the slip")
 
 # Friction is believed to be right if it is within its bounds.
 add_mutant(${lab} bounds_alone_judged 7.7
@@ -961,6 +1130,24 @@ add_mutant(${lab} breaches_added 7.7
     most += (now - limited(now - slip, limit, FrictionRule::disc)).norm();"
   "the breaches are added")
 
+# The last contact is believed to be all.
+add_mutant(${lab} last_breach 7.7
+  "most = std::max(most, std::abs(std::min(lambda[n], row(A, b, lambda, n))));  // eq. (12)"
+  "most = std::max(0.0, std::abs(std::min(lambda[n], row(A, b, lambda, n))));  // eq. (12)"
+  "the last contact")
+
+# The larger component is taken for the length.
+add_mutant(${lab} breach_by_component 7.7
+  "FrictionRule::disc)).norm()"
+  "FrictionRule::disc)).cwiseAbs().maxCoeff()"
+  "the larger component of the friction")
+
+# A pull is believed to be harmless.
+add_mutant(${lab} pull_forgiven 7.7
+  "std::abs(std::min(lambda[n], row(A, b, lambda, n)))"
+  "std::abs(std::min(std::max(0.0, lambda[n]), row(A, b, lambda, n)))"
+  "a pull is no breach")
+
 # Pressure at a contact that opens is believed to be harmless.
 add_mutant(${lab} only_approach_judged 7.7
   "std::abs(std::min(lambda[n], row(A, b, lambda, n)))"
@@ -971,28 +1158,40 @@ add_mutant(${lab} only_approach_judged 7.7
 
 # Momentum is believed to help always.
 add_mutant(${lab} never_restarts 7.8
-  "if (g.dot(change) > 0.0) s = 1.0;"
+  "if (g.dot(next - lambda) > 0.0) s = 1.0;"
   ""
   "there is no restart")
 
+# s is set back in every step.
+add_mutant(${lab} always_restarts 7.8
+  "if (g.dot(next - lambda) > 0.0) s = 1.0;"
+  "s = 1.0;"
+  "there is no momentum")
+
+# The sign of the slope is mixed up.
+add_mutant(${lab} restarts_downhill 7.8
+  "if (g.dot(next - lambda) > 0.0) s = 1.0;"
+  "if (g.dot(next - lambda) < 0.0) s = 1.0;"
+  "there is no momentum")
+
 # The momentum of the step that went uphill is kept.
 add_mutant(${lab} restarts_late 7.8
-  "    if (g.dot(change) > 0.0) s = 1.0;
+  "    if (g.dot(next - lambda) > 0.0) s = 1.0;
     const double s_next = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * s * s));
-    y = next + (s - 1.0) / s_next * change;
+    y = next + (s - 1.0) / s_next * (next - lambda);
     lambda = next;
     s = s_next;
 "
   "    const double s_next = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * s * s));
-    y = next + (s - 1.0) / s_next * change;
+    y = next + (s - 1.0) / s_next * (next - lambda);
+    s = g.dot(next - lambda) > 0.0 ? 1.0 : s_next;
     lambda = next;
-    s = g.dot(change) > 0.0 ? 1.0 : s_next;
 "
   "a step late")
 
 # A step uphill is believed to be wasted.
 add_mutant(${lab} step_taken_back 7.8
-  "y = next + (s - 1.0) / s_next * change;
+  "y = next + (s - 1.0) / s_next * (next - lambda);
     lambda = next;
     s = s_next;"
   "if (s == 1.0 && step > 0) {
@@ -1000,7 +1199,7 @@ add_mutant(${lab} step_taken_back 7.8
       s = s_next;
       continue;
     }
-    y = next + (s - 1.0) / s_next * change;
+    y = next + (s - 1.0) / s_next * (next - lambda);
     lambda = next;
     s = s_next;"
   "takes the step back")
@@ -1017,8 +1216,8 @@ add_mutant(${lab} returns_the_point_ahead 7.8
 
 # The point ahead is believed to have to push as well.
 add_mutant(${lab} clamps_the_point_ahead 7.8
-  "y = next + (s - 1.0) / s_next * change;"
-  "y = (next + (s - 1.0) / s_next * change).cwiseMax(0.0);"
+  "y = next + (s - 1.0) / s_next * (next - lambda);"
+  "y = (next + (s - 1.0) / s_next * (next - lambda)).cwiseMax(0.0);"
   "y is clamped")
 
 # The slope is believed to be that of the impulses.
@@ -1029,15 +1228,27 @@ add_mutant(${lab} slope_at_lambda 7.8
 
 # The gradient is believed to be all.
 add_mutant(${lab} no_momentum 7.8
-  "y = next + (s - 1.0) / s_next * change;"
+  "y = next + (s - 1.0) / s_next * (next - lambda);"
   "y = next;"
   "there is no momentum")
 
+# All of the last step is believed to be its momentum.
+add_mutant(${lab} full_momentum 7.8
+  "y = next + (s - 1.0) / s_next * (next - lambda);"
+  "y = next + (next - lambda);"
+  "by the whole of the last step")
+
 # s and s' are mixed up.
 add_mutant(${lab} momentum_by_old_s 7.8
-  "y = next + (s - 1.0) / s_next * change;"
-  "y = next + (s - 1.0) / s * change;"
+  "y = next + (s - 1.0) / s_next * (next - lambda);"
+  "y = next + (s - 1.0) / s * (next - lambda);"
   "divide by the next s")
+
+# The 1 is left out.
+add_mutant(${lab} momentum_by_s 7.8
+  "y = next + (s - 1.0) / s_next * (next - lambda);"
+  "y = next + s / s_next * (next - lambda);"
+  "the momentum is s/s'")
 
 # The 4 is left out.
 add_mutant(${lab} root_without_4 7.8
@@ -1062,3 +1273,9 @@ add_mutant(${lab} acceleration_not_clamped 7.8
   "(y - g / L).cwiseMax(0.0)"
   "(y - g / L)"
   "lambda is not clamped")
+
+# Steps are counted from zero.
+add_mutant(${lab} one_step_more 7.8
+  "step < steps"
+  "step <= steps"
+  "one step more")

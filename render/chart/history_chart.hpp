@@ -35,7 +35,7 @@ struct HistoryChart {
   std::string title;
   std::string subtitle;  ///< what is done, and what to read off
   std::string x_name = "time";
-  std::string x_unit = "s";
+  std::string x_unit = "s";  ///< empty for a ratio
   std::vector<HistoryPanel> panels;
 };
 

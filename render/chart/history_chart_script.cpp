@@ -45,7 +45,8 @@ std::vector<std::string> notes(const HistoryChart& chart) {
 std::string label_of(const HistoryCurve& curve, const HistoryChart& chart, const Interval& time) {
   if (!ends_early(curve, time)) return curve.method;
   return "× " + curve.method + ": " + (curve.end.empty() ? "ends" : curve.end) +
-         formatted(" at %.3g ", curve.times.back()) + chart.x_unit;
+         formatted(" at %.3g", curve.times.back()) +
+         (chart.x_unit.empty() ? "" : " " + chart.x_unit);
 }
 
 /// All panels are as high as the one with most labels needs.
@@ -103,8 +104,8 @@ std::string frame(const HistoryChart& shown, const Sheet& sheet, std::size_t ind
   s += value_tics(panel, axis) + formatted("set yrange [%.10g:%.10g]\n", axis.low, axis.high);
   s += std::string("set format x ") + (is_last ? "'%g'" : "''") + "\n";
   if (is_last) {
-    s += "set xlabel " + gnuplot_text(shown.x_name + " [" + shown.x_unit + "]") +
-         " noenhanced tc rgb '#282c34'\n";
+    const std::string x_unit = shown.x_unit.empty() ? "" : " [" + shown.x_unit + "]";
+    s += "set xlabel " + gnuplot_text(shown.x_name + x_unit) + " noenhanced tc rgb '#282c34'\n";
   }
   const std::string unit = panel.unit.empty() ? "" : " [" + panel.unit + "]";
   return s + "set label 900 " + gnuplot_text(panel.quantity + unit) +

@@ -135,7 +135,7 @@ render::Film make_film() {
       "rest";
   film.parameters = formatted(
       "cradle and break: e = 1, swings by the small-angle law; pile: %d balls, e = 0, %d steps a "
-      "second of %d sweeps",
+      "second of %d sweeps, colours: borne load in weights of a ball",
       pile_balls, steps_a_second, sweeps);
   film.bounds = {{-0.2, -2.15, ground_height}, {0.2, 2.15, 2.25}};
   film.towards_eye = towards_eye;

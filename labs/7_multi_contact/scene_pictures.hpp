@@ -126,8 +126,8 @@ struct LoadColour {
   const char* words;
 };
 inline const std::array<LoadColour, 4> load_colours{{{0.0, palette::grey, "flies"},
-                                                     {8.0, palette::sky, "≤ 8 weights"},
-                                                     {25.0, palette::orange, "≤ 25"},
+                                                     {8.0, palette::sky, "up to 8"},
+                                                     {25.0, palette::orange, "up to 25"},
                                                      {HUGE_VAL, palette::vermilion, "more"}}};
 
 inline render::Paint paint_of(const PiledBall& ball) {

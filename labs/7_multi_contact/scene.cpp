@@ -101,8 +101,13 @@ Act pile_act(const Pile& pile) {
   Act act{pile_duration, {1.4, pile_duration}, "", nullptr};
   act.measured = formatted(
       "pile: overlap %.1f mm at most; at the end %.1f mm, %.1g m/s, and floor and cylinder carry "
-      "%.1f of %d weights",
-      1e3 * pile.deepest, 1e3 * pile.deepest_at_end, pile.fastest_at_end, pile.carried, pile_balls);
+      "%.1f of %zu weights",
+      1e3 * pile.deepest, 1e3 * pile.deepest_at_end, pile.fastest_at_end, pile.carried,
+      pile.steps.back().size());
+  if (pile.contacts >= too_many) {
+    act.measured += formatted("; stopped after %.2f s with %zu contacts",
+                              dt * static_cast<double>(pile.steps.size()), pile.contacts);
+  }
   act.draw = [pile](render::Scene& scene, double time) { add_pile(scene, pile, time); };
   return act;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 #include "touching_balls.hpp"
@@ -65,6 +66,7 @@ inline std::vector<RigidBody> after_impact(const Model& model, const std::vector
   Vec3 gained = Vec3::Zero();
   double all = 0.0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (!after[i].velocity.allFinite()) throw std::domain_error("velocities that are not finite");
     gained += after[i].velocity - bodies[i].velocity;
     all += bodies[i].velocity.norm();
   }

@@ -157,7 +157,7 @@ inline void add_pile(render::Scene& scene, const Pile& pile, double time) {
         {{place, Mat3::Identity()}, {0.1, 0.5 * thickness, 1.0}, paint_of(palette::grey, 0.5F)});
   }
   const auto step = static_cast<std::size_t>(std::lround(time * steps_a_second));
-  for (const PiledBall& ball : pile.steps[step]) {
+  for (const PiledBall& ball : pile.steps[std::min(step, pile.steps.size() - 1)]) {
     add_ball(scene, ball.position, pile_radius, paint_of(ball));
   }
   add_key(scene);

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "common/course/if_written.hpp"
 #include "common/contact/obstacle.hpp"
+#include "common/course/if_written.hpp"
 #include "scene_models.hpp"
 
 /// Balls pour on the cylinder of labs 3 to 6, between two panes and two walls, and come to rest.
@@ -132,9 +132,15 @@ inline void step(Pile& pile, std::vector<RigidBody>& bodies) {
   }
   const Vector lambda = gauss_seidel(system.A, b, Vector::Zero(b.size()), sweeps);
   bodies = with_impulses(bodies, contacts, lambda);
-  for (RigidBody& body : bodies) body.position += dt * body.velocity;
+  for (RigidBody& body : bodies) {
+    if (!body.velocity.allFinite()) throw std::domain_error("velocities that are not finite");
+    body.position += dt * body.velocity;
+  }
   record(pile, bodies, near, lambda);
 }
+
+/// Balls that a wrong answer pulls into one another touch all others: then the pile stops.
+inline constexpr std::size_t too_many = 1500;
 
 /// Nothing, and an entry in `missing`, if a step of the lab is not written yet.
 inline std::optional<Pile> piled(std::vector<std::string>& missing) {
@@ -142,7 +148,7 @@ inline std::optional<Pile> piled(std::vector<std::string>& missing) {
     Pile pile;
     std::mt19937 engine(7);
     std::vector<RigidBody> bodies{immovable()};  // with all obstacles; then balls, as they come
-    for (int i = 0; i <= pile_duration * steps_a_second; ++i) {
+    for (int i = 0; i <= pile_duration * steps_a_second && pile.contacts < too_many; ++i) {
       pour(bodies, engine, i * dt);
       step(pile, bodies);
     }

@@ -50,7 +50,7 @@ class Independent {
   /// entry for each of them: with these of theirs and 1 of row j, A gives zero. Else it is empty.
   Vector admit(int j, double rounding = 1e-13) {
     const Vector row = forward(entries(A_.col(j), rows_));
-    const Vector others = -back(row);
+    Vector others = -back(row);
     const double pivot = A_(j, j) - row.dot(row);
     const double length = 1.0 + others.cwiseAbs().sum();
     if (pivot <= rounding * length * length) return others;
@@ -216,7 +216,7 @@ Vector least_norm_solution(const Matrix& A, const Vector& b) {
     Vector way = spread(others, rows.rows(), b.size());
     way[j] = 1.0;
     way = scaled.D.cwiseProduct(way);
-    unnoticed.push_back(way / largest_entry(way));
+    unnoticed.emplace_back(way / largest_entry(way));
   }
   Vector x = Vector::Zero(b.size());
   for (int round = 0; round < 3; ++round) {  // after the first it is rounding that goes

@@ -122,7 +122,7 @@ inline bool has_met(const Path& path, bool moderate, double earlier, double late
 }
 
 /// Doubles from zero up and their bits rise together.
-std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
+inline std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
 inline double value(std::uint64_t bits) { return std::bit_cast<double>(bits); }
 
 /// A guess of t*, however bad: it only saves bisections.

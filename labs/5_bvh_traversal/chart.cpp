@@ -119,10 +119,10 @@ render::ChartPlan full_plan(bool with_peers) {
   const auto apart = std::make_shared<Problem>(shells);
 
   std::vector<render::Method> of_tori = methods(at_rest);
-  of_tori.insert(of_tori.begin(), {with_sizes(method("brute force", palette::ink, at_rest,
-                                                     {100, 300, 1000, 3000}, brute_force)),
-                                   method("as first written", palette::vermilion, at_rest, sizes,
-                                          as_first_written)});
+  of_tori.insert(
+      of_tori.begin(),
+      {method("brute force", palette::ink, at_rest, {100, 300, 1000, 3000}, brute_force),
+       method("as first written", palette::vermilion, at_rest, sizes, as_first_written)});
   of_tori.push_back(method("heuristic, boxes in floats", palette::grey, at_rest,
                            sizes_of_large_leaves, in_float_boxes));
   render::ChartPlan plan;

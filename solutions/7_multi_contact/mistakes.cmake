@@ -675,7 +675,7 @@ add_mutant(${lab} pull_forgiven 7.7
 add_mutant(${lab} never_restarts 7.8
   "if (g.dot(next - lambda) > 0.0) s = 1.0;"
   ""
-  "there is no restart")
+  "no step restarts")
 
 # s is set back in every step.
 add_mutant(${lab} always_restarts 7.8

@@ -90,7 +90,8 @@ const std::vector<std::pair<AccelerationFlaw, std::string>>& acceleration_flaws(
   const char* const no_momentum =
       "there is no momentum: y goes on past lambda', and s = 1 only if a step went uphill";
   static const std::vector<std::pair<AccelerationFlaw, std::string>> all{
-      {Flawed::never_restarts, "there is no restart: if a step went uphill, s = 1"},
+      {Flawed::never_restarts,
+       "no step restarts: if it went uphill, g.(lambda' - lambda) > 0 with g at y, s = 1"},
       {Flawed::restarts_late,
        "a restart comes a step late: s = 1 first, then y, which has no momentum then"},
       {Flawed::restart_steps_back, "a restart takes the step back: lambda' is kept"},

@@ -114,6 +114,17 @@ TEST_CASE("The residual of friction is the largest of all contacts wherever it i
   expect_judged({Matrix(0, 0), Vector(0), Vector(0), 0.5}, 0.0, tests::exact, ++index, 4);
 }
 
+TEST_CASE("No breach of the law of friction is too small to be told", "[7.7]") {
+  const Matrix A = Matrix::Identity(3, 3);
+  int index = 0;
+  for (const double small : {1e-6, 1e-9, 1e-12, 1e-50, 1e-100}) {
+    const tests::Bound bound{16.0 * eps * small, "a length and a division"};
+    expect_judged({A, Vector{{-small, 0.0, 0.0}}, Vector::Zero(3), 0.5}, small, bound, ++index, 10);
+    expect_judged({A, Vector{{-1.0, 0.0, small}}, Vector{{1.0, 0.0, 0.0}}, 0.5}, small, bound,
+                  ++index, 10);
+  }
+}
+
 TEST_CASE("The residual of friction of any impulses is as worked contact by contact", "[7.7]") {
   tests::Random random(774);
   for (int i = 1; i <= 60; ++i) {

@@ -141,6 +141,26 @@ TEST_CASE("From a start each impulse gives back what is too much", "[7.7]") {
        {from(Vector{{-1.0, -0.25, 2.0}}, Vector{{-3.0, 1.0, -1.0}}), Vector{{1.0, 0.25, -0.5}}}});
 }
 
+TEST_CASE("However slowly it slips or presses friction has its share", "[7.7]") {
+  const Matrix A = Matrix::Identity(3, 3);
+  int index = 0;
+  for (const double small : {1e-6, 1e-9, 1e-12, 1e-50, 1e-99}) {
+    for (const FrictionRule rule : {FrictionRule::disc, FrictionRule::box}) {
+      // It sticks with what stops 3 and 4 of these, and slips with a limit of as many.
+      const tests::Bound bound{32.0 * eps * small, "some operations on numbers of this size"};
+      const Sweeping sticks{A, Vector{{-1.0, 3.0 * small, 4.0 * small}}, none(), 0.5, rule, 1};
+      const tests::Trial trial = tests::friction_trial(sticks, ++index, 20);
+      trial.of("the tangential impulse")
+          .expect(tests::Vec2(tests::swept_by_answer(sticks, trial).tail<2>()),
+                  tests::Vec2(-3.0 * small, -4.0 * small), bound);
+      const Vector wanted =
+          rule == FrictionRule::disc ? Vector{{10.0, -3.0, -4.0}} : Vector{{10.0, -5.0, -5.0}};
+      expect_swept({A, Vector{{-10.0 * small, 30.0, 40.0}}, none(), 0.5, rule, 1}, small * wanted,
+                   bound, ++index, 20);
+    }
+  }
+}
+
 TEST_CASE("A contact that parts has neither pressure nor friction", "[7.7]") {
   int index = 0;
   for (const FrictionRule rule : tests::all_rules) {

@@ -86,6 +86,7 @@ enum class ReflectionFlaw {
   no_tolerance,
   coarse_tolerance,
   tolerance_of_now,
+  tolerance_of_length,
   absolute_tolerance
 };
 /// A is positive definite.
@@ -110,6 +111,7 @@ enum class ZoneFlaw {
   no_tolerance,
   coarse_tolerance,
   tolerance_of_now,
+  tolerance_of_length,
   absolute_tolerance
 };
 /// A is positive definite.

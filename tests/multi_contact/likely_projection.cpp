@@ -11,6 +11,7 @@ namespace {
 double border_of_zone(const Vector& first, const Vector& now, ZoneFlaw flaw) {
   if (flaw == ZoneFlaw::no_tolerance) return 0.0;
   if (flaw == ZoneFlaw::absolute_tolerance) return 1e-12;
+  if (flaw == ZoneFlaw::tolerance_of_length) return 1e-12 * first.norm();
   const double part = flaw == ZoneFlaw::coarse_tolerance ? 1e-9 : 1e-12;
   return part * common::largest_entry(flaw == ZoneFlaw::tolerance_of_now ? now : first);
 }
@@ -66,6 +67,8 @@ const std::vector<ToldOfZone>& told_of_zone() {
        "a slow approach is taken for none: -1e-12 max|u| is the border"},
       {ZoneFlaw::tolerance_of_now,
        "the border follows u + A lambda: it is set once, by the u handed in"},
+      {ZoneFlaw::tolerance_of_length,
+       "the border is 1e-12 of the length of u: it is of its largest entry"},
       {ZoneFlaw::absolute_tolerance, "the border is 1e-12 at any speed: it is 1e-12 max|u|"}};
   return all;
 }
@@ -84,6 +87,7 @@ std::vector<ContactSystem> zones() {
           apart_by(-0.9e-12),
           apart_by(-1e-10),
           {Matrix::Identity(2, 2), Vector{{1e6, -1e-9}}},
+          {Matrix::Identity(4, 4), Vector{{1.0, -1.2e-12, 1.0, 1.0}}},
           {Matrix{{2.0, -1.0, -0.9e-12}, {-1.0, 2.0, 0.0}, {-0.9e-12, 0.0, 1.0}},
            Vector{{-1.0, 0.0, 0.0}}}};
 }
@@ -97,7 +101,8 @@ Mistake<ContactSystem, Done> mistake_of_zone(const ToldOfZone& told) {
   return {told.story, [flaw = told.flaw](const ContactSystem& system, const Done& got) {
             const bool of_border =
                 flaw == ZoneFlaw::no_tolerance || flaw == ZoneFlaw::tolerance_of_now ||
-                flaw == ZoneFlaw::coarse_tolerance || flaw == ZoneFlaw::absolute_tolerance;
+                flaw == ZoneFlaw::tolerance_of_length || flaw == ZoneFlaw::coarse_tolerance ||
+                flaw == ZoneFlaw::absolute_tolerance;
             const bool at_border = shows_the_border(system);
             if (at_border && !of_border) return true;
             const Done wanted{exact_projection(system, flaw)};

@@ -12,6 +12,7 @@ namespace {
 double border_of_reflections(const Reflecting& in, const Vector& u, ReflectionFlaw flaw) {
   if (flaw == ReflectionFlaw::no_tolerance) return 0.0;
   if (flaw == ReflectionFlaw::absolute_tolerance) return 1e-12;
+  if (flaw == ReflectionFlaw::tolerance_of_length) return 1e-12 * in.system.u.norm();
   const double part = flaw == ReflectionFlaw::coarse_tolerance ? 1e-9 : 1e-12;
   return part * common::largest_entry(flaw == ReflectionFlaw::tolerance_of_now ? u : in.system.u);
 }
@@ -103,6 +104,8 @@ const std::vector<ToldOfReflections>& told_of_reflections() {
        "a slow approach is taken for none: -1e-12 max|u| is the border"},
       {ReflectionFlaw::tolerance_of_now,
        "the border follows u: it is set once, by the u handed in"},
+      {ReflectionFlaw::tolerance_of_length,
+       "the border is 1e-12 of the length of u: it is of its largest entry"},
       {ReflectionFlaw::absolute_tolerance, "the border is 1e-12 at any speed: it is 1e-12 max|u|"}};
   return all;
 }
@@ -110,7 +113,8 @@ const std::vector<ToldOfReflections>& told_of_reflections() {
 /// Whether only a slow approach shows it: elsewhere rounding may add a count.
 bool is_about_the_border(ReflectionFlaw flaw) {
   return flaw == ReflectionFlaw::no_tolerance || flaw == ReflectionFlaw::coarse_tolerance ||
-         flaw == ReflectionFlaw::tolerance_of_now || flaw == ReflectionFlaw::absolute_tolerance;
+         flaw == ReflectionFlaw::tolerance_of_now || flaw == ReflectionFlaw::tolerance_of_length ||
+         flaw == ReflectionFlaw::absolute_tolerance;
 }
 
 constexpr int most_at_border = 8;
@@ -120,12 +124,13 @@ ContactSystem contacts_apart(double first, double second) {
 }
 
 std::vector<Reflecting> reflection_inputs_at_border() {
-  const ContactSystem growing{
-      Matrix{{1.0, -1.0, -0.45e-12}, {-1.0, 3.0, 0.0}, {-0.45e-12, 0.0, 1.0}},
-      Vector{{-1.0, 0.0, 0.0}}};
+  Matrix A = Matrix::Identity(4, 4);  // the last contact parts, and knows nothing of the others
+  A.topLeftCorner(3, 3) = Matrix{{1.0, -1.0, -0.45e-12}, {-1.0, 3.0, 0.0}, {-0.45e-12, 0.0, 1.0}};
+  const ContactSystem growing{A, Vector{{-1.0, 0.0, 0.0, 1.0}}};
   return {{contacts_apart(1.0, -0.9e-12), 1.0, most_at_border},
           {contacts_apart(1.0, -1e-10), 1.0, most_at_border},
           {contacts_apart(1e6, -1e-9), 1.0, most_at_border},
+          {{Matrix::Identity(4, 4), Vector{{1.0, 1.0, 1.0, -1.2e-12}}}, 1.0, most_at_border},
           {growing, 1.0, most_at_border}};
 }
 

@@ -30,8 +30,10 @@ void expect_stopped(const ContactSystem& system, const Vector& lambda, int round
 void expect_stopped(const std::vector<Stopped>& all) {
   int index = 0;
   for (const auto& [scene, lambda, rounds] : all) {
+    // A row or a column of m contacts has a condition of some 4 (m + 1)²/pi², the others of 16.
+    const auto m = static_cast<double>(lambda.size());
     expect_stopped(scene.system(), lambda, rounds,
-                   tests::of_solutions(1, 1.0 + tests::length(lambda)), ++index,
+                   tests::of_solutions(1, 1.0 + tests::length(lambda), 16.0 + 2.0 * m * m), ++index,
                    static_cast<int>(all.size()));
   }
 }
@@ -40,7 +42,7 @@ void expect_stopped(const std::vector<Stopped>& all) {
 
 TEST_CASE("A row that is hit goes on together and the zone grows ball by ball", "[7.6]") {
   std::vector<Stopped> all;
-  for (int n = 2; n <= 7; ++n) {
+  for (const int n : {2, 3, 4, 5, 6, 7, 30}) {
     Vector lambda(n - 1);  // those behind contact i have 1/n each
     for (int i = 0; i < n - 1; ++i) lambda[i] = (n - 1.0 - i) / n;
     all.push_back({tests::cradle(Vector::Unit(n, 0)), lambda, n - 1});

@@ -60,7 +60,9 @@ function(add_lab name)
   _add_cases(student student)
   if(TUMBLE_SHARED)
     _add_closer_look(debug -O0 -g)
-    _add_closer_look(sanitized -O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all)
+    # Under the sanitizers Eigen would take memory in another way than the libraries that hand it over.
+    _add_closer_look(sanitized -O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all
+      -DEIGEN_MALLOC_ALREADY_ALIGNED=1)
   endif()
   if(NOT EXISTS "${solutions}")
     return()

@@ -60,9 +60,7 @@ function(add_lab name)
   _add_cases(student student)
   if(TUMBLE_SHARED)
     _add_closer_look(debug -O0 -g)
-    # Under the sanitizers Eigen would take memory in another way than the libraries that hand it over.
-    _add_closer_look(sanitized -O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all
-      -DEIGEN_MALLOC_ALREADY_ALIGNED=1)
+    _add_closer_look(sanitized -O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all)
   endif()
   if(NOT EXISTS "${solutions}")
     return()

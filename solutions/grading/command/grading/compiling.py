@@ -80,9 +80,10 @@ def _words(joined: str) -> list[str]:
 
 def prepare_kit(root: Path, lab: Lab, source: bytes, tools_: Tools, kit: Path) -> None:
     """All that the compiler sees: the file, what its author was given, what it is linked with."""
-    (kit / "common").mkdir(parents=True)
-    for header in sorted((root / "common").glob("*.hpp")):
-        shutil.copyfile(header, kit / "common" / header.name)
+    for header in sorted((root / "common").rglob("*.hpp")):
+        copy = kit / header.relative_to(root)
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(header, copy)
     shutil.copyfile(lab.path / f"{lab.name}.hpp", kit / f"{lab.name}.hpp")
     shutil.copyfile(tools_.driver, kit / "driver.o")
     shutil.copyfile(tools_.library, kit / "libcommon.a")

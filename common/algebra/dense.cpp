@@ -106,23 +106,23 @@ double largest_eigenvalue(const Matrix& A) {
 
 void require_entries(const Vector& x, Eigen::Index size, const char* name) {
   if (x.size() != size) {
-    throw std::invalid_argument(std::string(name) + ": want " + std::to_string(size) +
-                                " entries, got " + std::to_string(x.size()));
+    throw std::invalid_argument(std::string(name) + ": must have " + std::to_string(size) +
+                                " entries, not " + std::to_string(x.size()));
   }
   if (!x.allFinite()) refuse_entry(name);
 }
 
 void require_system(const Matrix& A, const Vector& b) {
-  if (A.rows() != A.cols()) throw std::invalid_argument("A: want a square matrix");
+  if (A.rows() != A.cols()) throw std::invalid_argument("A: must be square");
   require_entries(b, A.rows(), "the vector that goes with A");
   if (A.rows() == 0) return;
   if (!A.allFinite()) refuse_entry("A");
   const double asymmetry = (A - A.transpose()).cwiseAbs().maxCoeff();
   if (!(asymmetry <= 1e-9 * A.cwiseAbs().maxCoeff())) {
-    throw std::invalid_argument("A: want a symmetric matrix");
+    throw std::invalid_argument("A: must be symmetric");
   }
   if (!(A.diagonal().minCoeff() > 0.0)) {
-    throw std::invalid_argument("A: want a diagonal above zero");
+    throw std::invalid_argument("A: must be above zero on its diagonal");
   }
 }
 

@@ -16,8 +16,9 @@ struct RigidBody {
   Vec3 angular_velocity = Vec3::Zero();     ///< world frame [rad/s]
 };
 
-/// Throws std::invalid_argument if an entry of a body is NaN or infinite, or is not what stands
+/// Throws std::invalid_argument if an entry of the body is NaN or infinite, or is not what stands
 /// above.
+void require_body(const RigidBody& body);
 void require_bodies(const std::vector<RigidBody>& bodies);
 /// The same if these are not the numbers of two different bodies, or if neither can move.
 void require_pair(const std::vector<RigidBody>& bodies, int a, int b);

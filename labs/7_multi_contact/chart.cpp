@@ -70,10 +70,7 @@ render::Method peer_method(const Peer& peer, const Falling& falling) {
   result.run = [=](double iterations) { world->step(static_cast<int>(iterations)); };
   result.judge = [=](double iterations) {
     world->step(static_cast<int>(iterations));
-    double sum = 0.0;
-    for (const Vec3& v : world->velocities()) sum += v.squaredNorm();
-    const double left = std::sqrt(sum / static_cast<double>(balls.centers.size())) / fall;
-    return render::Judgement{left, iterations, true};
+    return render::Judgement{speed_left(world->velocities()), iterations, true};
   };
   result.is_peer = true;
   return result;

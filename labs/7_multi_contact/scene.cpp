@@ -12,6 +12,7 @@ namespace {
 
 /// A part of the film; its times are those since its start.
 struct Act {
+  double start;
   double duration;
   std::vector<double> strip_times;
   std::string measured;  ///< for the foot of the strip
@@ -54,7 +55,7 @@ std::string work(const Ledger& ledger, const Model& model) {
 }
 
 Act cradle_act(const OfModels<Cradle>& cradles) {
-  Act act{1.75 * period, {0.0, 0.4 * period, 0.93 * period, 1.4 * period}, "", nullptr};
+  Act act{0.0, 1.75 * period, {0.0, 0.4 * period, 0.93 * period, 1.4 * period}, "", nullptr};
   for (std::size_t i = 0; i < models.size(); ++i) {
     if (!cradles[i]) continue;
     const Ledger& ledger = cradles[i]->ledger;
@@ -75,7 +76,7 @@ Act cradle_act(const OfModels<Cradle>& cradles) {
 }
 
 Act break_act(const OfModels<Break>& played) {
-  Act act{break_duration, {0.2, 0.99 * break_duration}, "", nullptr};
+  Act act{0.0, break_duration, {0.2, 0.99 * break_duration}, "", nullptr};
   for (std::size_t i = 0; i < models.size(); ++i) {
     if (!played[i]) continue;
     act.measured += (act.measured.empty() ? "break, |ΔE|/E: " : ", ") +
@@ -98,12 +99,12 @@ Act break_act(const OfModels<Break>& played) {
 }
 
 Act pile_act(const Pile& pile) {
-  Act act{pile_duration, {1.4, pile_duration}, "", nullptr};
+  Act act{0.0, pile_duration, {1.4, pile_duration}, "", nullptr};
   act.measured = formatted(
-      "pile: overlap %.1f mm at most; at the end %.1f mm, %.1g m/s, and floor and cylinder carry "
-      "%.1f of %zu weights",
-      1e3 * pile.deepest, 1e3 * pile.deepest_at_end, pile.fastest_at_end, pile.carried,
-      pile.steps.back().size());
+      "pile: overlap at most %.1f mm, where exact impulses allow %.1f mm; at the end %.1f mm, "
+      "%.1g m/s, and floor and cylinder carry %.1f of %zu weights",
+      1e3 * pile.deepest, 1e3 * pile.sinks, 1e3 * pile.deepest_at_end, pile.fastest_at_end,
+      pile.carried, pile.steps.back().size());
   if (pile.contacts >= too_many) {
     act.measured += formatted("; stopped after %.2f s with %zu contacts",
                               dt * static_cast<double>(pile.steps.size()), pile.contacts);
@@ -113,21 +114,19 @@ Act pile_act(const Pile& pile) {
 }
 
 /// One act after the other.
-void play(const std::vector<Act>& acts, render::Film& film) {
-  std::vector<double> starts;
+void play(std::vector<Act> acts, render::Film& film) {
   film.duration = 0.0;
-  for (const Act& act : acts) {
+  for (Act& act : acts) {
+    act.start = film.duration;
     for (const double time : act.strip_times) film.strip_times.push_back(film.duration + time);
     film.measured += (film.measured.empty() ? "" : ";  ") + act.measured;
-    starts.push_back(film.duration);
     film.duration += act.duration;
   }
   film.scene_at = [=](double time) {
-    std::size_t i = 0;
-    while (i + 1 < acts.size() && starts[i + 1] <= time) ++i;
+    const Act& act = part_at(acts, time);
     render::Scene scene;
     scene.ground_height = ground_height;
-    acts[i].draw(scene, std::min(time - starts[i], acts[i].duration));
+    act.draw(scene, std::min(time - act.start, act.duration));
     return scene;
   };
 }

@@ -25,12 +25,6 @@ struct Break {
   std::vector<FreeFlight> flights;
   Ledger ledger;
   double asymmetry = 0.0;  ///< after the first impact, see asymmetry()
-
-  [[nodiscard]] const FreeFlight& flight_at(double time) const {
-    std::size_t i = 0;
-    while (i + 1 < flights.size() && flights[i + 1].start <= time) ++i;
-    return flights[i];
-  }
 };
 
 /// The cue ball below the rack's tip, flying up the table; then row by row, from left to right.

@@ -31,13 +31,6 @@ struct Swing {
 struct Cradle {
   std::vector<Swing> swings;
   Ledger ledger;
-
-  /// The last one if several hold.
-  [[nodiscard]] const Swing& swing_at(double time) const {
-    std::size_t i = 0;
-    while (i + 1 < swings.size() && swings[i + 1].start <= time) ++i;
-    return swings[i];
-  }
 };
 
 /// What hangs at the bottom when a swing ends: each ball comes back as fast as it left.

@@ -41,6 +41,14 @@ struct Ledger {
   int impacts = 0;
 };
 
+/// The last of the parts of a motion that has started by then; the first if none has.
+template <typename Part>
+const Part& part_at(const std::vector<Part>& parts, double time) {
+  std::size_t i = 0;
+  while (i + 1 < parts.size() && parts[i + 1].start <= time) ++i;
+  return parts[i];
+}
+
 /// As std::max, but what is not a number stays.
 inline void grow(double& largest, double value) {
   largest = std::isnan(value) ? value : std::max(largest, value);

@@ -59,7 +59,7 @@ inline double bar_height(std::size_t model) { return 2.1 - 1.2 * static_cast<dou
 inline void add_cradle(render::Scene& scene, const Cradle& cradle, std::size_t model, double time) {
   const double first = 0.5 * (bar_left + bar_right) - cradle_radius * (cradle_balls - 1);
   const double top = bar_height(model);
-  const Swing& swing = cradle.swing_at(time);
+  const Swing& swing = part_at(cradle.swings, time);
   for (const double x : {-bar_depth, bar_depth}) {
     add_rod(scene, {x, bar_left, top}, {x, bar_right, top}, 0.02);
   }
@@ -106,7 +106,7 @@ inline void add_table(render::Scene& scene, const Break& played, std::size_t mod
   const Vec3 head = middle + 0.97 * half_height * up + 0.01 * out;
   scene.trails.push_back({{foot, head, foot}, palette::grey, 1.5});
 
-  const FreeFlight& flight = played.flight_at(time);
+  const FreeFlight& flight = part_at(played.flights, time);
   for (std::size_t i = 0; i < flight.balls.size(); ++i) {
     const RigidBody& ball = flight.balls[i];
     const Vec3 on_table = ball.position + (time - flight.start) * ball.velocity;

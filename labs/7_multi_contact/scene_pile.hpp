@@ -18,10 +18,10 @@ namespace lab::multi_contact {
 inline constexpr int pile_balls = 300;
 inline constexpr double pile_radius = 0.08;
 inline constexpr double half_width = 2.1;  ///< from the middle to a wall [m]
-inline constexpr double pile_duration = 4.6;
+inline constexpr double pile_duration = 5.0;
 inline constexpr int steps_a_second = 240;
 inline constexpr double dt = 1.0 / steps_a_second;
-inline constexpr int sweeps = 8;
+inline constexpr int sweeps = 20;
 inline constexpr double weight = 9.81;  ///< of a ball [N]
 inline const Vec3 gravity(0.0, 0.0, -weight);
 
@@ -75,6 +75,7 @@ struct PiledBall {
 struct Pile {
   std::vector<std::vector<PiledBall>> steps;
   double deepest = 0.0;         ///< overlap at the end of any step [m]
+  double sinks = 0.0;           ///< at most, while two balls pass: see sinks()
   double deepest_at_end = 0.0;  ///< [m]
   double fastest_at_end = 0.0;  ///< [m/s]
   double carried = 0.0;         ///< by floor and cylinder in the last step, in weights of a ball
@@ -85,6 +86,20 @@ inline double deepest_overlap(const std::vector<NearContact>& contacts) {
   double deepest = 0.0;
   for (const NearContact& near : contacts) grow(deepest, -near.gap);
   return deepest;
+}
+
+/// By how far exact impulses let two balls sink into one another, at most: in a step they pass each
+/// other along a straight line, and the sphere that their centres should keep to falls away from it
+/// by (dt v)²/(2R), with R = 2 radii.
+inline double sinks(const std::vector<RigidBody>& bodies,
+                    const std::vector<NearContact>& contacts) {
+  double fastest = 0.0;
+  for (const NearContact& near : contacts) {
+    if (near.contact.a == 0) continue;
+    const auto velocity = [&](int k) { return bodies[static_cast<std::size_t>(k)].velocity; };
+    grow(fastest, (velocity(near.contact.b) - velocity(near.contact.a)).norm());
+  }
+  return dt * dt * fastest * fastest / (4.0 * pile_radius);
 }
 
 /// Of the step that the impulses belong to.
@@ -100,6 +115,7 @@ inline void record(Pile& pile, const std::vector<RigidBody>& bodies,
     }
     if (contact.a == 0) pile.carried += share * contact.normal.z();
   }
+  grow(pile.sinks, sinks(bodies, contacts));
   pile.fastest_at_end = 0.0;
   for (std::size_t i = 1; i < bodies.size(); ++i) {
     balls[i].position = bodies[i].position;

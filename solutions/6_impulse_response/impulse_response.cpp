@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
-#include <string>
 
 #include "common/algebra/linear_algebra.hpp"
 #include "common/course/require.hpp"
@@ -12,17 +11,15 @@
 namespace lab::impulse_response {
 namespace {
 
+using common::require_body;
 using common::require_finite;
+using common::require_fraction;
 using common::require_not_negative;
 using common::require_positive;
 using common::require_unit;
 
-void require_restitution(double e) {
-  if (!(e >= 0.0 && e <= 1.0)) common::refuse("restitution", "a number from 0 to 1", e);
-}
-
 void require_valid(const Material& material) {
-  require_restitution(material.restitution);
+  require_fraction(material.restitution, "restitution");
   require_not_negative(material.friction, "friction");
 }
 
@@ -30,20 +27,6 @@ void require_valid(const Particle& particle) {
   require_positive(particle.mass, "mass");
   require_finite(particle.position, "position");
   require_finite(particle.velocity, "velocity");
-}
-
-void require_valid(const RigidBody& body, const char* name) {
-  require_not_negative(body.inverse_mass, name);
-  require_finite(body.position, name);
-  require_finite(body.velocity, name);
-  require_finite(body.angular_velocity, name);
-  const Mat3& inertia = body.inverse_inertia;
-  const double asymmetry = (inertia - inertia.transpose()).cwiseAbs().maxCoeff();
-  const bool symmetric = asymmetry <= 1e-9 * inertia.cwiseAbs().maxCoeff();
-  if (!inertia.allFinite() || !symmetric || !(inertia.diagonal().minCoeff() >= 0.0)) {
-    throw std::invalid_argument(std::string(name) +
-                                ": want a symmetric inverse inertia without negative moments");
-  }
 }
 
 /// Returns −min(μ pressed, |slip|) slip/|slip|, (2) or (4): slip is the tangential part of motion.
@@ -107,7 +90,7 @@ double normal_impulse(double mass, const Vec3& velocity, const Vec3& normal, dou
   require_positive(mass, "mass");
   require_finite(velocity, "velocity");
   require_unit(normal, "normal");
-  require_restitution(restitution);
+  require_fraction(restitution, "restitution");
   return impulse_along_normal(mass, velocity, normal, restitution);
 }
 
@@ -186,8 +169,8 @@ ImpactStep step_to_impact(const Particle& particle, const Obstacle& obstacle,
 }
 
 Mat3 inverse_effective_mass(const RigidBody& a, const RigidBody& b, const Vec3& point) {
-  require_valid(a, "a");
-  require_valid(b, "b");
+  require_body(a);
+  require_body(b);
   require_finite(point, "point");
   return inverse_mass_at(a, point) + inverse_mass_at(b, point);
 }
@@ -217,7 +200,7 @@ Vec3 contact_impulse(const RigidBody& a, const RigidBody& b, const Contact& cont
 }
 
 RigidBody with_impulse(const RigidBody& body, const Vec3& impulse, const Vec3& point) {
-  require_valid(body, "body");
+  require_body(body);
   require_finite(impulse, "impulse");
   require_finite(point, "point");
   RigidBody next = body;

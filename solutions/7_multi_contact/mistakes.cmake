@@ -30,10 +30,12 @@ add_mutant(${lab} levers_from_the_origin 7.1
   "const auto [n_i, turn_i] = row_part(at(contacts, i), k, body.position);
       system.u[i] += n_i.dot(body.velocity) + turn_i.dot(body.angular_velocity);
       for (int j = 0; j < m; ++j) {
+        if (k != at(contacts, j).a && k != at(contacts, j).b) continue;
         const auto [n_j, turn_j] = row_part(at(contacts, j), k, body.position);"
   "const auto [n_i, turn_i] = row_part(at(contacts, i), k, Vec3::Zero());
       system.u[i] += n_i.dot(body.velocity) + turn_i.dot(body.angular_velocity);
       for (int j = 0; j < m; ++j) {
+        if (k != at(contacts, j).a && k != at(contacts, j).b) continue;
         const auto [n_j, turn_j] = row_part(at(contacts, j), k, Vec3::Zero());" "world's origin")
 
 # All masses are believed to be alike.

@@ -34,9 +34,8 @@ auto& at(List& list, int i) {
   return list[static_cast<std::size_t>(i)];
 }
 
-/// What a contact's row of J has for the velocity and for the spin of one body.
+/// What a contact's row of J has for the velocity and for the spin of a body that it touches.
 std::pair<Vec3, Vec3> row_part(const Contact& contact, int body, const Vec3& center) {
-  if (body != contact.a && body != contact.b) return {Vec3::Zero(), Vec3::Zero()};
   const Vec3 n = body == contact.b ? contact.normal : -contact.normal;
   return {n, (contact.point - center).cross(n)};
 }
@@ -67,6 +66,7 @@ ContactSystem contact_system(const std::vector<RigidBody>& bodies,
       const auto [n_i, turn_i] = row_part(at(contacts, i), k, body.position);
       system.u[i] += n_i.dot(body.velocity) + turn_i.dot(body.angular_velocity);
       for (int j = 0; j < m; ++j) {
+        if (k != at(contacts, j).a && k != at(contacts, j).b) continue;
         const auto [n_j, turn_j] = row_part(at(contacts, j), k, body.position);
         system.A(i, j) += body.inverse_mass * n_i.dot(n_j);
         system.A(i, j) += turn_i.dot(body.inverse_inertia * turn_j);

@@ -14,12 +14,6 @@ namespace tests {
 
 namespace lab = ::lab::bvh_traversal;
 
-/// Text that stands for an argument.
-struct Code {
-  std::string code;
-};
-inline std::string text(const Code& code) { return code.code; }
-
 /// Points as an argument, which Trial prints when it must.
 struct Points {
   std::vector<Vec3> points;
@@ -43,17 +37,6 @@ inline double difference(const Corners& a, const Corners& b) {
   return difference(a.box.low, b.box.low) + difference(a.box.high, b.box.high);
 }
 inline std::string text(const Corners& v) { return text(code(v.box)); }
-
-/// A decision as a value.
-struct Decision {
-  bool yes = false;
-};
-inline bool is_finite(const Decision&) { return true; }
-inline double length(const Decision&) { return 1.0; }
-inline double difference(const Decision& a, const Decision& b) {
-  return a.yes == b.yes ? 0.0 : 1.0;
-}
-inline std::string text(const Decision& v) { return v.yes ? "true" : "false"; }
 
 inline const Bound exactly{0.0, "the answer must be equal"};
 

@@ -3,160 +3,30 @@
 #include <utility>
 #include <vector>
 
+#include "advancement.hpp"
 #include "bad_input.hpp"
 #include "catch.hpp"
-#include "common/exact/double_double.hpp"
-#include "narrow.hpp"
 
 using namespace lab::continuous_particle_cylinder;
-using common::DoubleDouble;
-using common::two_sum;
 using tests::eps;
 using tests::infinity;
 using tests::Query;
 using tests::Time;
 
-namespace {
-
-const std::string advancement_step = "4.3 conservative_advancement";
-
-tests::Trial trial(const Query& query, double tolerance, int index = 1, int count = 1) {
-  return tests::trial(advancement_step, query, index, count).given("tolerance", tolerance);
-}
-
-Advancement advanced(const Query& query, double tolerance) {
-  return conservative_advancement(query.particle, query.cylinder, query.dt, tolerance);
-}
-
-double speed_of(const Query& query) {
-  return std::hypot(query.particle.velocity.y(), query.particle.velocity.z());
-}
-
-/// The sequence of the contract in double-double. An evaluation errs by less than 32 of its units
-/// of 2⁻¹⁰⁶ of the lengths, where the bound of the answer's own roundings has 8 eps = 2⁻⁴⁹.
-struct Sequence {
-  Time time;
-  double after = 0.0;  ///< one step on from there [s]
-  int evaluations = 0;
-  double closest = infinity;  ///< of all decisions: from φ to the tolerance, from t to dt [m]
-};
-
-Sequence sequence(const Query& query, double tolerance, double speed) {
-  const Vec3& x = query.particle.position;
-  const Vec3& v = query.particle.velocity;
-  const DoubleDouble rho = two_sum(query.cylinder.radius, query.particle.radius);
-  Sequence result;
-  for (DoubleDouble t = 0.0; result.evaluations < 20000;) {
-    const DoubleDouble y = x.y() + t * v.y();
-    const DoubleDouble z = x.z() + t * v.z();
-    const DoubleDouble gap = sqrt(y * y + z * z) - rho;
-    const double to_tolerance = (gap - tolerance).high;
-    ++result.evaluations;
-    result.closest = std::min(result.closest, std::abs(to_tolerance));
-    if (to_tolerance <= 0.0) result.time.seconds = t.high;
-    if (to_tolerance > 0.0 && speed == 0.0) return result;
-    t = t + gap / speed;
-    result.after = t.high;
-    if (to_tolerance <= 0.0) return result;
-    result.closest = std::min(result.closest, std::abs(result.after - query.dt) * speed);
-    if (result.after > query.dt) return result;
-  }
-  return result;
-}
-
-/// What known mistakes make of it.
-std::vector<std::pair<Sequence, std::string>> wrong_sequences(const Query& query,
-                                                              double tolerance) {
-  Query bare = query;
-  bare.particle.radius = 0.0;
-  return {{sequence(query, tolerance, 1.0),
-           "phi is not divided by the speed, so t grows by a length: add phi/|v|"},
-          {sequence(query, tolerance, query.particle.velocity.norm()),
-           "the speed is that of all three axes: use the speed in the yz-plane"},
-          {sequence(bare, tolerance, speed_of(query)),
-           "the particle's radius is forgotten: use R + r, not R"}};
-}
-
-/// Requires the time and the count of the contract's own sequence, where rounding decides neither.
-void expect_sequence(const Query& query, double tolerance, int index = 1, int count = 1) {
-  const double speed = speed_of(query);
-  const Sequence wanted = sequence(query, tolerance, speed);
-  // An advance never drives two places apart, since φ falls no faster than the way grows: the
-  // roundings of each evaluation just add up.
-  const Vec3& x = query.particle.position;
-  const double way = 8.0 * eps * wanted.evaluations * (std::hypot(x.y(), x.z()) + 2.0 * rho(query));
-  const Advancement got = advanced(query, tolerance);
-  if (wanted.closest < 2.0 * way) {
-    trial(query, tolerance).expect_small("|0 t|", 0.0 * got.time.value_or(0.0), {0.0, "finite"});
-    return;
-  }
-  const auto here = trial(query, tolerance, index, count);
-  here.expect(Time{got.time}, wanted.time,
-              {speed > 0.0 ? way / speed : 0.0, "8 eps of the lengths for each evaluation"}, [&] {
-                tests::TimeSuspects suspects;
-                for (const auto& [other, story] : wrong_sequences(query, tolerance)) {
-                  suspects.push_back({other.time, story});
-                }
-                if (!wanted.time.seconds) return suspects;
-                suspects.push_back(
-                    {{}, "a gap within the tolerance is taken for no impact: return the time t"});
-                suspects.push_back({{wanted.after},
-                                    "it steps once more after the gap is within the tolerance: "
-                                    "return t before that step"});
-                return suspects;
-              });
-  const auto number = [](const Sequence& other) { return static_cast<double>(other.evaluations); };
-  here.of("iterations")
-      .expect(static_cast<double>(got.iterations), number(wanted),
-              {0.0, "one for each evaluation of the gap, including the first and the last"}, [&] {
-                std::vector<tests::Suspect<double>> suspects;
-                for (const auto& [other, story] : wrong_sequences(query, tolerance)) {
-                  suspects.push_back({number(other), story});
-                }
-                suspects.push_back({number(wanted) - 1.0,
-                                    "the last evaluation, or the first, is not counted: count "
-                                    "every evaluation of the gap"});
-                return suspects;
-              });
-}
-
-/// Never late, and early only by what the tolerance takes: between the impacts with a cylinder that
-/// is wider by the tolerance and with the true one.
-void expect_between(const Query& query, double tolerance, int index, int count) {
-  Query wide = query;
-  wide.cylinder.radius += tolerance;
-  const Time earliest = tests::time_of(wide);
-  const Time latest = tests::time_of(query);
-  const Time got{advanced(query, tolerance).time};
-  const auto here = trial(query, tolerance, index, count);
-  if (!earliest.seconds || latest.seconds)
-    here.expect(got, latest, {infinity, "only whether there is an impact"});
-  if (!got.seconds) return;
-  const double speed = speed_of(query);
-  const double rounding =
-      speed > 0.0 ? 1e-12 * (tests::rho(query) + speed * query.dt) / speed : 0.0;
-  here.expect_small("early", *earliest.seconds - *got.seconds,
-                    {rounding, "not earlier than the gap is within the tolerance"});
-  if (latest.seconds) {
-    here.expect_small("late", *got.seconds - *latest.seconds, {rounding, "it must never be late"});
-  }
-}
-
-}  // namespace
-
 TEST_CASE("A particle that moves straight to the axis arrives in one step", "[4.3]") {
   const Query query = tests::query({0, 10, 0}, {0, -2, 0}, 10.0);
-  expect_sequence(query, 1e-6);
-  const Advancement got = advanced(query, 1e-6);
-  trial(query, 1e-6).expect(Time{got.time}, Time{2.5}, {8.0 * eps, "5/2"});
-  trial(query, 1e-6).expect(static_cast<double>(got.iterations), 2.0, {0.0, "before and after"});
+  tests::expect_sequence(query, 1e-6);
+  const Advancement got = tests::advanced(query, 1e-6);
+  tests::advancement_trial(query, 1e-6).expect(Time{got.time}, Time{2.5}, {8.0 * eps, "5/2"});
+  tests::advancement_trial(query, 1e-6)
+      .expect(static_cast<double>(got.iterations), 2.0, {0.0, "before and after"});
 }
 
 TEST_CASE("Advancement follows its sequence step by step", "[4.3]") {
   const auto cases = tests::hand_cases();
   int index = 0;
   for (const auto& [query, time] : cases) {
-    expect_sequence(query, 1e-6, ++index, static_cast<int>(cases.size()));
+    tests::expect_sequence(query, 1e-6, ++index, static_cast<int>(cases.size()));
   }
   tests::Random random(4321);
   for (int i = 1; i <= 150; ++i) {
@@ -164,7 +34,7 @@ TEST_CASE("Advancement follows its sequence step by step", "[4.3]") {
     Query query = tests::aimed(
         random, {distance, random.uniform(-1.1, 1.1), tests::power_of_ten(random, -1.0, 1.0)});
     query.dt *= random.uniform(0.2, 1.0);
-    expect_sequence(query, tests::power_of_ten(random, -9.0, -2.0), i, 150);
+    tests::expect_sequence(query, tests::power_of_ten(random, -9.0, -2.0), i, 150);
   }
 }
 
@@ -174,7 +44,7 @@ TEST_CASE("Advancement is never late and early only by its tolerance", "[4.3]") 
     const double distance = random.uniform(1.1, 5.0);
     const Query query = tests::aimed(
         random, {distance, random.uniform(-1.05, 1.05), tests::power_of_ten(random, -3.0, 3.0)});
-    expect_between(query, tests::power_of_ten(random, -8.0, -2.0), i, 200);
+    tests::expect_between(query, tests::power_of_ten(random, -8.0, -2.0), i, 200);
   }
 }
 
@@ -189,12 +59,12 @@ TEST_CASE("At an angle of incidence each iteration multiplies the gap by 1 - cos
     const double coarse = 1e-4;
     const double fine = coarse * std::pow(ratio, more);
     const Query query = tests::query({0, 3, std::sin(angle)}, {0, -1, 0}, 10.0, 0.75, 0.25);
-    const Advancement first = advanced(query, coarse);
-    const Advancement second = advanced(query, fine);
-    trial(query, fine)
+    const Advancement first = tests::advanced(query, coarse);
+    const Advancement second = tests::advanced(query, fine);
+    tests::advancement_trial(query, fine)
         .expect(Time{second.time}, tests::time_of(query),
                 {1.01 * fine / std::cos(angle), "the time that the tolerance saves"});
-    trial(query, fine)
+    tests::advancement_trial(query, fine)
         .expect_small(
             "iterations between tolerance 1e-4 and this one, minus ln(ratio)/ln(1 - cos)",
             std::abs(second.iterations - first.iterations - more),
@@ -208,13 +78,13 @@ TEST_CASE("At an angle of incidence each iteration multiplies the gap by 1 - cos
 TEST_CASE("At tangency the iterations grow as the root of 2 rho over the tolerance", "[4.3]") {
   for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8}) {
     const Query query = tests::query({0, 1, 1}, {0, -1, 0}, 10.0, 0.75, 0.25);
-    const Advancement got = advanced(query, tolerance);
+    const Advancement got = tests::advanced(query, tolerance);
     const double N = std::sqrt(2.0 / tolerance);
-    trial(query, tolerance)
+    tests::advancement_trial(query, tolerance)
         .expect(Time{got.time}, Time{1.0},
                 {1.01 * std::sqrt(2.0 * tolerance),
                  "at the end the gap is s^2/2, so the way s is left"});
-    trial(query, tolerance)
+    tests::advancement_trial(query, tolerance)
         .expect_small("|iterations/sqrt(2 rho/tolerance) - 1|", std::abs(got.iterations / N - 1.0),
                       {(3.0 + 2.0 * std::log(N)) / N, "1/s grows by 1/2 to 1/2 + 1/(k + 2)"});
   }
@@ -227,8 +97,8 @@ TEST_CASE("A pass within the tolerance is a hit and one beyond it is not", "[4.3
           tests::query({0, 2, 1.0 + share * tolerance}, {0, -0.5, 0}, 10.0, 0.75, 0.25);
       // √((1 + tolerance)² − (1 + 0.9 tolerance)²) before the closest, or less.
       const Time wanted{share < 1.0 ? std::optional<double>(4.0) : std::nullopt};
-      trial(query, tolerance)
-          .expect(Time{advanced(query, tolerance).time}, wanted,
+      tests::advancement_trial(query, tolerance)
+          .expect(Time{tests::advanced(query, tolerance).time}, wanted,
                   {2.0 * std::sqrt(0.21 * tolerance),
                    "the way on which it is within the tolerance before the closest point"});
     }
@@ -242,12 +112,12 @@ TEST_CASE("Advancement that arrives exactly at dt is an impact", "[4.3]") {
       for (const double tolerance : {1e-6, 1e-300}) {
         const double dt = way / speed;
         const Query query = tests::query({5, -1.0 - way, 0}, {7, speed, 0}, dt, 0.75, 0.25);
-        const auto here = trial(query, tolerance);
-        const Advancement got = advanced(query, tolerance);
+        const auto here = tests::advancement_trial(query, tolerance);
+        const Advancement got = tests::advanced(query, tolerance);
         Query longer = query;
         longer.dt = 1.001 * dt;
         here.expect(Time{got.time}, Time{dt}, {0.0, "whole numbers"}, [&] {
-          const bool right_beside = advanced(longer, tolerance).time == dt;
+          const bool right_beside = tests::advanced(longer, tolerance).time == dt;
           return right_beside
                      ? tests::TimeSuspects{{{}, "an arrival at dt is lost: stop only if t > dt"}}
                      : tests::TimeSuspects{};
@@ -256,8 +126,8 @@ TEST_CASE("Advancement that arrives exactly at dt is an impact", "[4.3]") {
             .expect(static_cast<double>(got.iterations), 2.0, {0.0, "before and after"});
         Query shorter = query;
         shorter.dt = std::nextafter(dt, 0.0);
-        trial(shorter, tolerance)
-            .expect(Time{advanced(shorter, tolerance).time}, Time{}, {0.0, "t is after dt"},
+        tests::advancement_trial(shorter, tolerance)
+            .expect(Time{tests::advanced(shorter, tolerance).time}, Time{}, {0.0, "t is after dt"},
                     tests::TimeSuspects{
                         {{dt}, "dt is ignored: this impact is after dt, so return none"}});
       }
@@ -272,8 +142,8 @@ TEST_CASE("A gap just above the tolerance is not an impact", "[4.3]") {
         const double gap = tolerance * (1.0 + share);
         const Query query = tests::query({0, 0, 1.0 + gap}, {0, 0, speed}, 1.0, 0.75, 0.25);
         if (gap - tolerance < 8.0 * eps) continue;  // nor may rounding decide
-        trial(query, tolerance)
-            .expect(Time{advanced(query, tolerance).time}, Time{},
+        tests::advancement_trial(query, tolerance)
+            .expect(Time{tests::advanced(query, tolerance).time}, Time{},
                     {0.0, "the gap is never within the tolerance"},
                     tests::TimeSuspects{{{0.0},
                                          "the tolerance is taken too wide: compare the gap with "
@@ -287,14 +157,14 @@ TEST_CASE("Advancement ends if t cannot grow any more", "[4.3]") {
   // The last gaps are roundings of a place 81 away, and φ/|v| is less than half an ulp of t. There
   // t stays; an answer that goes on until φ ≤ tolerance never ends.
   const auto ends = [](const Query& query, double tolerance, int index, int count) {
-    const Advancement got = advanced(query, tolerance);
-    const auto here = trial(query, tolerance, index, count);
+    const Advancement got = tests::advanced(query, tolerance);
+    const auto here = tests::advancement_trial(query, tolerance, index, count);
     const Vec3& x = query.particle.position;
     const double steep = std::sqrt(1.0 - std::pow(tests::offset_of(query) / rho(query), 2));
     const double way = 8.0 * eps * (std::hypot(x.y(), x.z()) + 2.0 * rho(query)) / steep;
-    here.expect(
-        Time{got.time}, tests::time_of(query),
-        {way * got.iterations / speed_of(query), "8 eps of the lengths for each evaluation"});
+    here.expect(Time{got.time}, tests::time_of(query),
+                {way * got.iterations / tests::speed_of(query),
+                 "8 eps of the lengths for each evaluation"});
     here.expect_small("evaluations", got.iterations,
                       {400.0, "each evaluation leaves 1 - cos of the gap"});
   };
@@ -312,16 +182,17 @@ TEST_CASE("Advancement ends if t cannot grow any more", "[4.3]") {
 
 TEST_CASE("Within the tolerance at the start it takes one evaluation", "[4.3]") {
   const Query query = tests::query({3, 3, 4.0005}, {1, 3, 4}, 1.0);
-  for (const double tolerance : {1e-3, 0.5}) expect_sequence(query, tolerance);
+  for (const double tolerance : {1e-3, 0.5}) tests::expect_sequence(query, tolerance);
 }
 
 TEST_CASE("Advancement refuses bad arguments", "[4.3]") {
-  tests::expect_bad_queries_throw(advancement_step,
-                                  [](const Query& query) { return advanced(query, 1e-6).time; });
+  tests::expect_bad_queries_throw(tests::advancement_step, [](const Query& query) {
+    return tests::advanced(query, 1e-6).time;
+  });
   const Query query = tests::query({0, 10, 20}, {0, -1, 0}, 1.0);
   for (const double tolerance : {0.0, -1e-6, infinity, std::numeric_limits<double>::quiet_NaN()}) {
-    trial(query, tolerance)
-        .expect_throw([&] { return Time{advanced(query, tolerance).time}; },
+    tests::advancement_trial(query, tolerance)
+        .expect_throw([&] { return Time{tests::advanced(query, tolerance).time}; },
                       "the tolerance is not a finite number above zero",
                       "the arguments are not checked: throw std::invalid_argument for a bad one");
   }

@@ -25,7 +25,7 @@ sys.path.insert(0, str(ROOT / "common" / "command"))
 from tumble.grading.points import FULL, graded_labs, read_table  # noqa: E402
 from tumble.labs import Lab  # noqa: E402
 
-from mistake_bank import mistakes  # noqa: E402
+from mistake_bank import handed_in, mistakes  # noqa: E402
 
 _FUNCTION = re.compile(r"^\w[^\n;{}]*?\b(\w+)\([^;{}]*\)[^;{}]*\{\n.*?^\}\n",
                        re.MULTILINE | re.DOTALL)
@@ -42,7 +42,7 @@ def right(lab: Lab, draw: random.Random) -> Made:
     """The reference, or a right answer built otherwise."""
     answers = sorted((ROOT / "solutions" / lab.folder).glob("*.cpp"))
     full = FULL + read_table(ROOT, lab).bonus
-    return draw.choice(answers).read_bytes(), full, full
+    return handed_in(draw.choice(answers)).encode(), full, full
 
 
 def wrong(lab: Lab, draw: random.Random) -> Made:

@@ -18,7 +18,7 @@ from tumble.grading.verdicts import NOT_WRITTEN, PASS, Judged
 from tumble.labs import Lab, find_labs
 
 from box import box_or_skip
-from mistake_bank import Mistake, mistakes
+from mistake_bank import Mistake, handed_in, mistakes
 
 ROOT = Path(__file__).resolve().parents[2]
 SEEDS = (917465328104, 350912874663)
@@ -64,7 +64,7 @@ class EveryLab(unittest.TestCase):
     def test_right_answers_pass(self) -> None:
         answers = [(lab, answer) for lab in graded_labs()
                    for answer in sorted((ROOT / "solutions" / lab.folder).glob("*.cpp"))]
-        results = self.all_judged([(lab, answer.read_bytes(), answer.name == lab.stub.name)
+        results = self.all_judged([(lab, handed_in(answer).encode(), answer.name == lab.stub.name)
                                    for lab, answer in answers])
         for (_, answer), result in zip(answers, results):
             with self.subTest(answer.name):

@@ -17,7 +17,7 @@ Rows = dict[tuple[str, ...], set[str]]
 def answers(root: Path) -> Rows:
     """Every row of every answer and mistake below solutions/, and which files hold it."""
     rows: Rows = {}
-    for path in (root / "solutions").rglob("*.cpp"):
+    for path in (root / "solutions").rglob("*.[ch]pp"):
         folder = path.relative_to(root / "solutions").parts[0]
         if not folder[0].isdigit():
             continue

@@ -9,7 +9,19 @@ from tumble.labs import Lab
 
 ROOT = Path(__file__).resolve().parents[2]
 _WORD = r'"(?:[^"\\]|\\.)*"|[^\s"()]+'
+_OWN_HEADER = re.compile(r'^#include "([^"/]+)"$', re.M)
 _MUTANT = re.compile(rf"^ *add_mutant\(((?:\s*(?:{_WORD}))+)\s*\)", re.M | re.S)
+
+
+def handed_in(answer: Path) -> str:
+    """The answer as the one file that is handed in, with the headers of its own put into it."""
+    def included(found: re.Match[str]) -> str:
+        header = answer.parent / found[1]
+        if not header.exists():
+            return found[0]
+        return header.read_text(encoding="utf-8").replace("#pragma once\n", "")
+
+    return _OWN_HEADER.sub(included, answer.read_text(encoding="utf-8"))
 
 
 class Mistake(NamedTuple):
@@ -23,7 +35,7 @@ class Mistake(NamedTuple):
 
     def wrong_answer(self) -> str:
         """The text of the answer with the mistake in it."""
-        right = self.answer.read_text(encoding="utf-8")
+        right = handed_in(self.answer)
         if self.find not in right:
             raise ValueError(f"{self.name}: '{self.find}' is not in {self.answer}")
         return right.replace(self.find, self.replace)

@@ -213,12 +213,6 @@ inline std::string text_of(const common::Obstacle& obstacle) {
   return "Cylinder{" + text(std::get<common::Cylinder>(obstacle).radius) + "}";
 }
 
-/// Code that is printed as it stands.
-struct Code {
-  std::string words;
-};
-inline std::string text(const Code& code) { return code.words; }
-
 inline Trial& given(Trial& trial, const Particle& p) {
   return trial.given("particle", Code{"Particle{" + text(p.mass) + ", " + text(p.position) + ", " +
                                       text(p.velocity) + "}"});

@@ -170,12 +170,7 @@ TEST_CASE("Many steps end at the solution", "[7.8]") {
 TEST_CASE("The least and the most masses and speeds are accelerated alike", "[7.8]") {
   int index = 0;
   const ContactSystem row = tests::cradle(Vector{{1.0, 0.0, 0.0}}).system();
-  for (const auto& [yields, speed] : {std::pair{1.0, 1e50},
-                                      {1.0, 1e-50},
-                                      {1e99, 1e99},
-                                      {1e99, 1e49},
-                                      {1e-99, 1e-49},
-                                      {1e-50, 1e-50}}) {
+  for (const auto& [yields, speed] : tests::extreme_scales) {
     const double size = speed / yields;
     const Accelerating in{yields * row.A, speed * row.u, 2};
     const tests::Trial trial = tests::acceleration_trial(in, ++index, 6);

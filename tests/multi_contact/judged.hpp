@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <limits>
 #include <string>
 #include <vector>
@@ -11,22 +12,13 @@
 /// How the results of this lab are asked for, printed and judged.
 namespace tests {
 
-/// Text that stands for an argument.
-struct Code {
-  std::string words;
+/// Sizes of A and of speeds from one end of the range to the other, with their products in it.
+struct Scales {
+  double yields;
+  double speed;
 };
-inline std::string text(const Code& code) { return code.words; }
-
-/// A decision as a value.
-struct Decision {
-  bool yes = false;
-};
-inline bool is_finite(const Decision&) { return true; }
-inline double length(const Decision&) { return 1.0; }
-inline double difference(const Decision& a, const Decision& b) {
-  return a.yes == b.yes ? 0.0 : 1.0;
-}
-inline std::string text(const Decision& v) { return v.yes ? "true" : "false"; }
+inline constexpr std::array<Scales, 6> extreme_scales{
+    {{1.0, 1e50}, {1.0, 1e-50}, {1e99, 1e99}, {1e99, 1e49}, {1e-99, 1e-49}, {1e-50, 1e-50}}};
 
 inline const Bound counted{0.0, "it is counted"};
 inline const Bound exact{0.0, "small fractions that doubles hold"};

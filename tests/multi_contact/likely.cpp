@@ -1,12 +1,9 @@
 #include "likely.hpp"
 
+#include "fingerprint.hpp"
+
 namespace tests {
 namespace {
-
-struct Looking {
-  std::string step_and_function;
-  std::string (*likely)();
-};
 
 const std::vector<Looking>& functions() {
   static const std::vector<Looking> all{
@@ -26,24 +23,10 @@ const std::vector<Looking>& functions() {
   return all;
 }
 
-std::string likely_mistake(const std::string& step_and_function) {
-  std::string story;
-  for (const Looking& function : functions()) {
-    if (function.step_and_function == step_and_function) story = function.likely();
-  }
-  const std::string step = step_and_function.substr(0, 3);
-  for (const Looking& function : functions()) {
-    const bool same_step = function.step_and_function.substr(0, 3) == step;
-    if (story.empty() && same_step) story = function.likely();
-  }
-  return story;
-}
-
 }  // namespace
 
 Trial trial_of(const std::string& step_and_function, int index, int count) {
-  Trial trial(step_and_function, index, count);
-  return trial.suspecting([step_and_function] { return likely_mistake(step_and_function); });
+  return trial_with(functions(), step_and_function, index, count);
 }
 
 }  // namespace tests

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "trial.hpp"
 #include "values.hpp"
 
 namespace tests {
@@ -48,6 +49,30 @@ std::string fingerprint(const std::vector<Input>& inputs, const Answer& answer,
     if (mistake.story != left.front().story) return "";
   }
   return left.front().story;
+}
+
+/// A function of a lab, and what names the mistake in it or returns nothing.
+struct Looking {
+  std::string step_and_function;  ///< as "6.2 friction_impulse"
+  std::string (*likely)();
+};
+
+/// Returns a trial that looks for a likely mistake in the function that it judges, then in the
+/// step's others.
+inline Trial trial_with(const std::vector<Looking>& functions, const std::string& step_and_function,
+                        int index, int count) {
+  return Trial(step_and_function, index, count).suspecting([&functions, step_and_function] {
+    std::string story;
+    for (const Looking& function : functions) {
+      if (function.step_and_function == step_and_function) story = function.likely();
+    }
+    const std::string step = step_and_function.substr(0, 3);
+    for (const Looking& function : functions) {
+      const bool same_step = function.step_and_function.substr(0, 3) == step;
+      if (story.empty() && same_step) story = function.likely();
+    }
+    return story;
+  });
 }
 
 }  // namespace tests

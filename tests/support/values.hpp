@@ -93,4 +93,21 @@ std::string text(const Value& value) {
   return text_of(value);
 }
 
+/// Text that stands for an argument, printed as it is.
+struct Code {
+  std::string words;
+};
+inline std::string text(const Code& code) { return code.words; }
+
+/// A decision as a value.
+struct Decision {
+  bool yes = false;
+};
+inline bool is_finite(const Decision&) { return true; }
+inline double length(const Decision&) { return 1.0; }
+inline double difference(const Decision& a, const Decision& b) {
+  return a.yes == b.yes ? 0.0 : 1.0;
+}
+inline std::string text(const Decision& v) { return v.yes ? "true" : "false"; }
+
 }  // namespace tests

@@ -72,9 +72,8 @@ def make_parser() -> argparse.ArgumentParser:
 
     def command(name: str, module: str, text: str) -> argparse.ArgumentParser:
         description = text[0].upper() + text[1:] + "."
-        hidden = name in _OF_THE_KIT and is_handout(ROOT)
-        new = commands.add_parser(name, description=description, allow_abbrev=False,
-                                  **({} if hidden else {"help": text}))
+        shown = {} if name in _OF_THE_KIT and is_handout(ROOT) else {"help": text}
+        new = commands.add_parser(name, description=description, allow_abbrev=False, **shown)
         new.set_defaults(module=module, command=name)
         return new
 
@@ -132,8 +131,9 @@ def _add_test(parser: argparse.ArgumentParser) -> None:
 def _add_answers(parser: argparse.ArgumentParser, text: str) -> None:
     hidden = argparse.SUPPRESS if is_handout(ROOT) else None
     which = parser.add_mutually_exclusive_group()
-    which.add_argument("--solution", action="store_true", help=hidden or "use the reference")
     which.add_argument("--answer", metavar="NAME[,NAME]", help=hidden or text)
+    which.add_argument("--solution", dest="answer", action="store_const", const="reference",
+                       help=hidden or "short for --answer reference")
 
 
 def _add_hint(parser: argparse.ArgumentParser) -> None:

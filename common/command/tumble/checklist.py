@@ -22,7 +22,7 @@ def run(root: Path, options: argparse.Namespace) -> int:
     lab = find_lab(root, options.lab)
     if options.debug and options.case is None:
         raise Failure("--debug runs one case: add --case WORDS", BAD_USAGE)
-    if options.answer or options.solution:
+    if options.answer is not None:
         if options.case is not None:
             raise Failure("--case runs your own answer: leave out --answer", BAD_USAGE)
         return test_answers(root, lab, options)
@@ -47,7 +47,7 @@ def test_answers(root: Path, lab: Lab, options: argparse.Namespace) -> int:
     """Right answers of the kit, each in a checklist of its own."""
     passed = True
     with build.locked(root, "dev"):
-        for name in chosen_answers(root, lab, options.answer or "reference"):
+        for name in chosen_answers(root, lab, options.answer):
             target = f"{lab.name}_{name}_test"
             build.require(root, "dev", [target])
             program = build.build_folder(root, "dev") / "labs" / lab.folder / target

@@ -117,7 +117,7 @@ def answers(root: Path, lab: Lab) -> list[str]:
 
 def chosen_answers(root: Path, lab: Lab, names: str) -> list[str]:
     """From "NAME,NAME" as typed; "student" is the stub as it is filled in."""
-    require_solutions(root, "--answer")
+    require_solutions(root, "another answer")
     known = ["student", *answers(root, lab)]
     chosen = names.split(",")
     for name in chosen:

@@ -12,8 +12,8 @@ from typing import Sequence
 from . import build, gallery, movie, page
 from .console import (BAD_USAGE, FAILED, Failure, Progress, complain, require_writable,
                       say)
-from .gallery import CHART, FILM, REFERENCE, STUDENT, command_file
-from .labs import Lab, chosen_answers, find_lab, require_solutions
+from .gallery import CHART, FILM, STUDENT, command_file
+from .labs import Lab, chosen_answers, find_lab
 
 PROGRAMS = {"frames": "scene", "chart": "chart"}
 FOLDERS = {"frames": FILM, "chart": CHART}
@@ -72,7 +72,8 @@ def run(root: Path, options: argparse.Namespace) -> int:
     arguments = _film_arguments(options) if options.command == "frames" else _peers(options)
     arguments += _meshes(lab, options.mesh)
     out = Path(options.out).absolute() if options.out else root / "out"
-    pictures = [Picture(lab, options.command, name, out) for name in _answers(root, lab, options)]
+    names = [STUDENT] if options.answer is None else chosen_answers(root, lab, options.answer)
+    pictures = [Picture(lab, options.command, name, out) for name in names]
     require_writable(out)
     if PEERS in arguments:  # CMake looks for them once; they may have come since
         build.configure(root, "release", again=True)
@@ -90,14 +91,6 @@ def run(root: Path, options: argparse.Namespace) -> int:
             beside += ["--beside", picture.variant, str(picture.folder)]
     say(f"Look at {page.write(root, out)}, or at the files in {pictures[0].folder}")
     return 0
-
-
-def _answers(root: Path, lab: Lab, options: argparse.Namespace) -> list[str]:
-    if options.answer:
-        return chosen_answers(root, lab, options.answer)
-    if options.solution:
-        require_solutions(root, "--solution")
-    return [REFERENCE if options.solution else STUDENT]
 
 
 def _meshes(lab: Lab, files: Sequence[str]) -> list[str]:

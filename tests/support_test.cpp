@@ -57,9 +57,9 @@ TEST_CASE("Printed numbers read back as the same double", "[support]") {
   CHECK(tests::text(common::Quat(1.0, 2.0, 3.0, 4.0)) == "Quat(1, 2, 3, 4)");
   CHECK(tests::text(Eigen::Vector2d(1.0, -0.5)) == "Vec2(1, -0.5)");
   CHECK(tests::text(Eigen::VectorXd{{1.0, -0.5, 2.0, 4.0}}) == "Vector{{1, -0.5, 2, 4}}");
-  CHECK(tests::text(Eigen::MatrixXd{{2.0, -1.0}, {-1.0, 2.0}}) == "Matrix{{2, -1}, {-1, 2}}");
+  CHECK(tests::text(common::Matrix{{2.0, -1.0}, {-1.0, 2.0}}) == "Matrix{{2, -1}, {-1, 2}}");
   CHECK(tests::text(Eigen::VectorXd()) == "Vector(0)");
-  CHECK(tests::text(Eigen::MatrixXd(0, 2)) == "Matrix(0, 2)");
+  CHECK(tests::text(common::Matrix(0, 2)) == "Matrix(0, 2)");
 }
 
 TEST_CASE("Vectors of different sizes are infinitely far apart", "[support]") {
@@ -68,7 +68,7 @@ TEST_CASE("Vectors of different sizes are infinitely far apart", "[support]") {
   CHECK(tests::length(Eigen::VectorXd()) == 0.0);
   CHECK(tests::difference(v, Eigen::VectorXd{{3.0, 3.0}}) == 1.0);
   CHECK(std::isinf(tests::difference(v, Eigen::VectorXd{{3.0, 4.0, 0.0}})));
-  CHECK(std::isinf(tests::difference(Eigen::MatrixXd(2, 0), Eigen::MatrixXd(0, 2))));
+  CHECK(std::isinf(tests::difference(common::Matrix(2, 0), common::Matrix(0, 2))));
 }
 
 TEST_CASE("Both signs of a quaternion are one attitude and lengths neither over nor underflow",

@@ -8,7 +8,8 @@
 /// algebra, compiled once.
 namespace common {
 
-using Matrix = Eigen::MatrixXd;
+/// Row by row in memory, because the solvers take one row at a time.
+using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Vector = Eigen::VectorXd;
 
 /// A x.

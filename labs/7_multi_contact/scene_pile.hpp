@@ -21,7 +21,7 @@ inline constexpr double half_width = 2.1;  ///< from the middle to a wall [m]
 inline constexpr double pile_duration = 5.0;
 inline constexpr int steps_a_second = 240;
 inline constexpr double dt = 1.0 / steps_a_second;
-inline constexpr int sweeps = 20;
+inline constexpr int sweeps = 24;
 inline constexpr double weight = 9.81;  ///< of a ball [N]
 inline const Vec3 gravity(0.0, 0.0, -weight);
 
@@ -47,9 +47,14 @@ inline void pour(std::vector<RigidBody>& bodies, std::mt19937& engine, double ti
   }
 }
 
-/// All contacts that may close within a step.
+inline constexpr double most_outwards = 1.0;  ///< speed at which overlaps are moved out [m/s]
+
+/// All contacts that may close within a step: impulses make no ball faster than the fastest one,
+/// except to move it out.
 inline std::vector<NearContact> near_contacts(const std::vector<RigidBody>& bodies) {
-  constexpr double reach = 0.5 * pile_radius;  // further than two balls come nearer in a step
+  double fastest = most_outwards;
+  for (const RigidBody& body : bodies) grow(fastest, body.velocity.norm());
+  const double reach = 2.0 * dt * fastest;
   static const std::vector<common::Obstacle> obstacles = pile_obstacles();
   std::vector<NearContact> found;
   for (std::size_t i = 1; i < bodies.size(); ++i) {
@@ -128,10 +133,9 @@ inline void record(Pile& pile, const std::vector<RigidBody>& bodies,
 
 /// v ← v + dt g + W Jᵀ λ with 0 ≤ λ, J v + φ/dt ≥ 0, of which one is zero; then x ← x + dt v.
 /// So no contact closes by more than its gap φ. What overlaps is moved out, but not faster than at
-/// `most`, or a deep overlap would explode. λ starts from zero: what a few sweeps have left undone
-/// would add up from step to step.
+/// most_outwards, or a deep overlap would explode. λ starts from zero: what a few sweeps have left
+/// undone would add up from step to step.
 inline void step(Pile& pile, std::vector<RigidBody>& bodies) {
-  constexpr double most = 1.0;  // [m/s]
   for (RigidBody& body : bodies) {
     if (body.inverse_mass > 0.0) body.velocity += dt * gravity;
   }
@@ -144,7 +148,7 @@ inline void step(Pile& pile, std::vector<RigidBody>& bodies) {
   const ContactSystem system = contact_system(bodies, contacts);
   Vector b = system.u;
   for (Eigen::Index i = 0; i < b.size(); ++i) {
-    b[i] += std::max(near[static_cast<std::size_t>(i)].gap / dt, -most);
+    b[i] += std::max(near[static_cast<std::size_t>(i)].gap / dt, -most_outwards);
   }
   const Vector lambda = gauss_seidel(system.A, b, Vector::Zero(b.size()), sweeps);
   bodies = with_impulses(bodies, contacts, lambda);

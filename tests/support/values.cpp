@@ -24,7 +24,7 @@ std::string text_of(const Eigen::VectorXd& v) {
   return "Vector{" + listed(v) + "}";  // braces twice: once is a size
 }
 
-std::string text_of(const Eigen::MatrixXd& m) {
+std::string text_of(const common::Matrix& m) {
   if (m.size() == 0) {
     return "Matrix(" + std::to_string(m.rows()) + ", " + std::to_string(m.cols()) + ")";
   }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "common/algebra/dense.hpp"
 #include "common/types.hpp"
 
 /// Functions by which tests compare and print the values that contracts return.
@@ -39,11 +40,11 @@ inline double length(const Mat3& value) {
 /// all.
 template <typename Value>
 concept OtherSize = std::same_as<Value, Eigen::Vector2d> || std::same_as<Value, Eigen::VectorXd> ||
-    std::same_as<Value, Eigen::MatrixXd>;
+    std::same_as<Value, common::Matrix>;
 double length_of(const double* entries, Eigen::Index count);
 std::string text_of(const Eigen::Vector2d& v);
 std::string text_of(const Eigen::VectorXd& v);
-std::string text_of(const Eigen::MatrixXd& m);
+std::string text_of(const common::Matrix& m);
 
 template <OtherSize Value>
 double length(const Value& value) {

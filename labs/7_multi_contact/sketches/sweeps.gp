@@ -52,5 +52,6 @@ do for [k = 1:2] {
 }
 plot for [k = 1:2] for [c in '0.02 0.08 0.18 0.32 0.5 0.72 0.98'] [t=0:360] '+' \
   using (x = ex(k, (k == 1 ? 0.3 : 1.6)*c, $1), y = ey(k, (k == 1 ? 0.3 : 1.6)*c, $1), \
-    x < X0[k] || x > X(k, right_end[k]) || y > Y(k, top_end[k]) || y < Y(k, k == 1 ? 0 : -0.68) ? NaN : x):(y) \
+    x < X0[k] || x > X(k, right_end[k]) || y > Y(k, top_end[k]) \
+    || y < Y(k, k == 1 ? 0 : -0.68) ? NaN : x):(y) \
     with lines lw 1 lc rgb grey

@@ -98,8 +98,8 @@ endfunction()
 # <step> must fail. The likely mistake that its tests name must contain <words>, and they may name
 # no other. If <words> is empty, the mistake has no fingerprint and the tests must name none. With
 # OF the mistake is made in another right answer, <answer>.cpp, because a trick that the reference
-# does not use has mistakes of its own. Only what the mistake can reach is compiled again, see
-# only_affected.py.
+# does not use has mistakes of its own. Only what the mistake can reach is compiled again, together
+# with that of other mistakes, see only_affected.py and batch.py.
 function(add_mutant name mistake step find replace words)
   cmake_parse_arguments(PARSE_ARGV 6 arg "" "OF" "")
   if(arg_UNPARSED_ARGUMENTS OR arg_KEYWORDS_MISSING_VALUES)
@@ -117,11 +117,17 @@ function(add_mutant name mistake step find replace words)
     message(FATAL_ERROR "add_mutant(${name} ${mistake}): '${find}' is not in ${file}: change it to text of that file")
   endif()
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
-  file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/whole/${answer}/${mistake}.cpp" "${wrong}")
+  file(GLOB before "${CMAKE_CURRENT_BINARY_DIR}/whole/${answer}/*/*.cpp")
+  list(LENGTH before count)
+  math(EXPR batch "${count} / 12")  # of so many, which take seconds to compile
+  file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/whole/${answer}/${batch}/${mistake}.cpp" "${wrong}")
 
   set(program ${name}_mistake_${mistake}_test)
-  _add_answer(mistake_${mistake} "${CMAKE_CURRENT_BINARY_DIR}/mistakes/${answer}/${mistake}.cpp" answer_flags)
-  target_sources(${program} PRIVATE "${CMAKE_CURRENT_BINARY_DIR}/${answer}_weak.o")
+  add_executable(${program} "${CMAKE_CURRENT_BINARY_DIR}/mistakes/${answer}/${mistake}.o"
+    "${CMAKE_CURRENT_BINARY_DIR}/${answer}_weak.o")
+  set_target_properties(${program} PROPERTIES LINKER_LANGUAGE CXX)
+  target_link_libraries(${program} PRIVATE test_main ${name}_tests ${name}_contract)
+  target_link_options(${program} PRIVATE LINKER:--gc-sections)
   add_test(NAME "${folder}/mistake/${step}/${mistake}" COMMAND Python3::Interpreter -B
     "${PROJECT_SOURCE_DIR}/tests/mistake_test.py" $<TARGET_FILE:${program}> ${step} "${words}")
   set_tests_properties("${folder}/mistake/${step}/${mistake}" PROPERTIES LABELS mistake TIMEOUT 120)
@@ -133,9 +139,6 @@ function(_add_mistakes)
   include("${solutions}/mistakes.cmake")
   file(GLOB answers RELATIVE "${CMAKE_CURRENT_BINARY_DIR}/whole" "${CMAKE_CURRENT_BINARY_DIR}/whole/*")
   foreach(answer IN LISTS answers)
-    execute_process(COMMAND ${Python3_EXECUTABLE} -B "${PROJECT_SOURCE_DIR}/common/cmake/only_affected.py"
-      "${solutions}/${answer}.cpp" "${CMAKE_CURRENT_BINARY_DIR}/whole/${answer}"
-      "${CMAKE_CURRENT_BINARY_DIR}/mistakes/${answer}" COMMAND_ERROR_IS_FATAL ANY)
     set(right ${name}_${answer})
     if(answer STREQUAL name)
       set(right ${name}_reference)
@@ -146,7 +149,34 @@ function(_add_mistakes)
       COMMAND ${CMAKE_OBJCOPY} --wildcard "--weaken-symbol=_ZN3lab*" "--weaken-symbol=_ZNK3lab*"
               $<TARGET_OBJECTS:${right}> "${weak}"
       DEPENDS ${right} $<TARGET_OBJECTS:${right}> COMMENT "Weakening ${right}")
+    file(GLOB batches LIST_DIRECTORIES TRUE "${CMAKE_CURRENT_BINARY_DIR}/whole/${answer}/*")
+    foreach(batch IN LISTS batches)
+      _add_batch(${answer} ${right} "${batch}")
+    endforeach()
   endforeach()
+endfunction()
+
+# Compiles mistakes together, and makes an object of each again.
+function(_add_batch answer right folder)
+  cmake_path(GET folder FILENAME number)
+  set(script ${Python3_EXECUTABLE} -B "${PROJECT_SOURCE_DIR}/common/cmake/batch.py")
+  set(out "${CMAKE_CURRENT_BINARY_DIR}/mistakes/${answer}")
+  execute_process(COMMAND ${script} write "${CMAKE_CURRENT_SOURCE_DIR}/${name}.hpp"
+    "${solutions}/${answer}.cpp" "${folder}" "${out}/batch_${number}.cpp" COMMAND_ERROR_IS_FATAL ANY)
+  set(batch ${name}_mistakes_in_${answer}_${number})
+  add_library(${batch} OBJECT "${out}/batch_${number}.cpp")
+  target_link_libraries(${batch} PRIVATE ${name}_contract answer_flags)
+  target_compile_options(${batch} PRIVATE -w -ffunction-sections)
+  target_precompile_headers(${batch} REUSE_FROM precompiled)
+  file(GLOB mistakes RELATIVE "${folder}" "${folder}/*.cpp")
+  list(TRANSFORM mistakes REPLACE "[.]cpp$" "")
+  list(TRANSFORM mistakes REPLACE "(.+)" "${out}/\\1.o" OUTPUT_VARIABLE objects)
+  add_custom_command(OUTPUT ${objects}
+    COMMAND ${script} split "${CMAKE_NM}" "${CMAKE_OBJCOPY}" $<TARGET_OBJECTS:${right}>
+            $<TARGET_OBJECTS:${batch}> "${out}" ${mistakes}
+    DEPENDS ${right} ${batch} $<TARGET_OBJECTS:${right}> $<TARGET_OBJECTS:${batch}>
+            "${PROJECT_SOURCE_DIR}/common/cmake/batch.py"
+    COMMENT "Taking apart ${batch}" VERBATIM)
 endfunction()
 
 # Compiles one of the lab's programs against the contract, without an implementation of it.

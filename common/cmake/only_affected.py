@@ -1,18 +1,13 @@
 """Of answers with a mistake keeps what the mistake can reach; the rest comes from the right answer.
 
-usage: only_affected.py RIGHT FOLDER_OF_WRONG FOLDER_OUT
-
 A mistake is an edit of the right answer, of a line or two. To compile all of the answer for it is
-most of what the proof of the kit would take. So each file of FOLDER_OUT holds, of the file of the
-same name in FOLDER_OF_WRONG, the functions that the edit is in, those that name one of them, over
-any number of steps, and the helpers that all of these need. The program is linked with the right
-answer, too, whose functions give way to those of the same name (objcopy --weaken). An edit outside
-of a function, as of a constant, keeps the whole file. A file that does not change is not written.
+most of what the proof of the kit would take. So only these are kept: the functions that the edit is
+in, those that name one of them, over any number of steps, and the helpers that all of these need.
+The program is linked with the right answer, too, whose functions give way to those of the same name
+(objcopy --weaken). An edit outside of a function, as of a constant, keeps the whole file.
 """
 
 import re
-import sys
-from pathlib import Path
 from typing import NamedTuple, Sequence
 
 _STRING = re.compile(r'"(?:[^"\\]|\\.)*"|\'(?:[^\'\\]|\\.)*\'')
@@ -86,18 +81,3 @@ def _closure(names: set[str], all_parts: Sequence[Part]) -> set[str]:
 
 def _words(text: str) -> set[str]:
     return set(re.findall(r"\w+", re.sub(r"//[^\n]*|^(?:namespace|#)[^\n]*", "", text, flags=re.M)))
-
-
-def main() -> None:
-    right = Path(sys.argv[1]).read_text(encoding="utf-8")
-    folder, out = Path(sys.argv[2]), Path(sys.argv[3])
-    out.mkdir(parents=True, exist_ok=True)
-    for file in folder.glob("*.cpp"):
-        text = only_affected(right, file.read_text(encoding="utf-8"))
-        made = out / file.name
-        if not made.exists() or made.read_text(encoding="utf-8") != text:
-            made.write_text(text, encoding="utf-8")
-
-
-if __name__ == "__main__":
-    main()

@@ -199,9 +199,7 @@ Traversal pairs_of_leaves(const Bvh& a, const Bvh& b, const RigidTransform* a_fr
 
 }  // namespace
 
-Traversal traverse(const Bvh& a, const Bvh& b) {
-  return pairs_of_leaves(a, b, nullptr);  // at rest
-}
+Traversal traverse(const Bvh& a, const Bvh& b) { return pairs_of_leaves(a, b, nullptr); }
 
 // ---- Step 5.5 ----
 

@@ -44,6 +44,13 @@ ParticleContact exact_contact(const Query& query, double time) {
 
 using Suspects = std::vector<tests::Suspect<Vec3>>;
 
+const std::string says_start =
+    "the contact is that of the start: the particle is not moved to x + t v";
+const std::string says_reversed =
+    "the normal is reversed: let it point from the cylinder to the particle";
+const std::string says_middle = "this is the particle's centre: the point is r nearer to the axis";
+const std::string says_spatial = "x is kept in the normal: set its x to 0";
+
 void expect_contact(const Query& query, double time, int index, int count) {
   const ParticleContact wanted = exact_contact(query, time);
   const auto at_start = [&] { return exact_contact(query, 0.0); };
@@ -58,12 +65,6 @@ void expect_contact(const Query& query, double time, int index, int count) {
   const double along = 2.0 * eps * (std::abs(x.x()) + time * std::abs(v.x()));
   const double distance = radial.norm();
   const double turn = std::min(2.0, (distance > 0.0 ? place / distance : 0.0) + 8.0 * eps);
-  const std::string start =
-      "the contact is that of the start: the particle is not moved to x + t v";
-  const std::string reversed =
-      "the normal is reversed: let it point from the cylinder to the particle";
-  const std::string middle = "this is the particle's centre: the point is r nearer to the axis";
-  const std::string spatial = "x is kept in the normal: set its x to 0";
   const ParticleContact got = contact_at(query.particle, query.cylinder, time);
 
   const Trial here = contact_trial(query, time, index, count);
@@ -71,16 +72,16 @@ void expect_contact(const Query& query, double time, int index, int count) {
       .expect(got.normal, wanted.normal, {turn, "the rounding of x + t v, divided by its distance"},
               [&] {
                 return Suspects{
-                    {-wanted.normal, reversed},
-                    {at_start().normal, start},
-                    {center.norm() > 0.0 ? Vec3(center.normalized()) : center, spatial}};
+                    {-wanted.normal, says_reversed},
+                    {at_start().normal, says_start},
+                    {center.norm() > 0.0 ? Vec3(center.normalized()) : center, says_spatial}};
               });
   here.of("the point on the cylinder")
       .expect(got.point_on_cylinder, wanted.point_on_cylinder,
               {R * turn + along, "R times the rounding of the normal"}, [&] {
                 return Suspects{
-                    {at_start().point_on_cylinder, start},
-                    {Vec3(center - 2.0 * radial + (distance - R) * wanted.normal), reversed},
+                    {at_start().point_on_cylinder, says_start},
+                    {Vec3(center - 2.0 * radial + (distance - R) * wanted.normal), says_reversed},
                     {Vec3(center - radial + (R + r) * wanted.normal),
                      "this is R + r from the axis: the cylinder ends at R"},
                     {Vec3(R * wanted.normal), "x is lost: use the particle's x"}};
@@ -90,8 +91,8 @@ void expect_contact(const Query& query, double time, int index, int count) {
               {place + r * turn + along, "the rounding of x + t v, and r times that of the normal"},
               [&] {
                 return Suspects{
-                    {at_start().point_on_particle, start},
-                    {center, middle},
+                    {at_start().point_on_particle, says_start},
+                    {center, says_middle},
                     {Vec3(center + r * wanted.normal),
                      "this is the far side of the particle: subtract r n from its centre"}};
               });
@@ -99,7 +100,7 @@ void expect_contact(const Query& query, double time, int index, int count) {
       got.gap, wanted.gap, {place + 4.0 * eps * (R + r), "the rounding of x + t v and of R + r"},
       [&] {
         return std::vector<tests::Suspect<double>>{
-            {at_start().gap, start},
+            {at_start().gap, says_start},
             {wanted.gap + r, "the particle's radius is forgotten: use R + r, not R"},
             {-wanted.gap, "the gap has the wrong sign: it is above zero outside"}};
       });

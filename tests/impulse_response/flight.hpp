@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "oracle.hpp"
 
 /// Option 1 once more, with what can be wrong with it as switches. common::time_of_impact is
@@ -97,6 +99,25 @@ struct FlightValue {
   double amplification = 1.0;  ///< how much larger errors of the start are at the end
 };
 
+/// The impacts, which `in` has ended with, and the time that is left by projection.
+inline FlightValue with_projection(FlightValue value, StepInput in, FlightFlaw flaw) {
+  const double whole = std::exchange(in.dt, value.projected);
+  const bool tells_all = flaw == FlightFlaw::projects_and_tells_the_whole_step;
+  if (tells_all || flaw == FlightFlaw::tells_the_whole_step) value.projected = whole;
+  if (tells_all || flaw == FlightFlaw::projects_the_whole_step) in.dt = whole;
+  if (flaw == FlightFlaw::drops_the_rest) in.dt = 0.0;
+  const bool corrects = flaw != FlightFlaw::no_corrections;
+  in.corrections = {corrects, corrects};
+  StepValue end = projected_step(in);
+  if (flaw == FlightFlaw::flies_the_rest || flaw == FlightFlaw::tells_no_rest) {
+    const common::Flight rest{in.particle.position, in.particle.velocity, in.gravity};
+    end = {position_at(rest, in.dt), velocity_at(rest, in.dt), common::Vec3::Zero()};
+    if (flaw == FlightFlaw::tells_no_rest) value.projected = 0.0;
+  }
+  value.step = {end.position, end.velocity, value.step.impulse};
+  return value;
+}
+
 inline FlightValue impact_step(StepInput in, int max_impacts, FlightFlaw flaw = FlightFlaw::none) {
   const double dt = in.dt;
   Particle& p = in.particle;
@@ -133,43 +154,28 @@ inline FlightValue impact_step(StepInput in, int max_impacts, FlightFlaw flaw = 
     }
     p.position = narrow(x + t * v + half * t * t * a);
     p.velocity = narrow(v + t * a);
-    if (hit) {
-      const VecL there =
-          flaw == FlightFlaw::old_normal ? n : surface_at(in.obstacle, wide(p.position)).normal;
-      const VecL speed = flaw == FlightFlaw::old_velocity ? v : wide(p.velocity);
-      const VecL j = particle_impulse(wide(p.mass), speed, there, in.material);
-      const double size = p.velocity.norm() + dt * in.gravity.norm();
-      value.amplification *= 2.0 + 4.0 * size / std::abs(narrow(there).dot(p.velocity));
-      p.velocity = narrow(wide(p.velocity) + j / (flaw == FlightFlaw::no_mass ? 1 : wide(p.mass)));
-      impulses += j;
-      ++value.impacts;
-      const double flown = at_the_end ? left : *hit;
-      value.last = flaw == FlightFlaw::times_of_flights ? flown : std::min(dt, time + flown);
-      if (flaw != FlightFlaw::flies_the_whole_step)
-        time = at_the_end ? dt : std::min(dt, time + flown);
-    }
     if (!hit) {
       value.step = {p.position, p.velocity, narrow(impulses)};
       return value;
     }
+    const VecL there =
+        flaw == FlightFlaw::old_normal ? n : surface_at(in.obstacle, wide(p.position)).normal;
+    const VecL speed = flaw == FlightFlaw::old_velocity ? v : wide(p.velocity);
+    const VecL j = particle_impulse(wide(p.mass), speed, there, in.material);
+    const double size = p.velocity.norm() + dt * in.gravity.norm();
+    value.amplification *= 2.0 + 4.0 * size / std::abs(narrow(there).dot(p.velocity));
+    p.velocity = narrow(wide(p.velocity) + j / (flaw == FlightFlaw::no_mass ? 1 : wide(p.mass)));
+    impulses += j;
+    ++value.impacts;
+    const double flown = at_the_end ? left : *hit;
+    value.last = flaw == FlightFlaw::times_of_flights ? flown : std::min(dt, time + flown);
+    if (flaw != FlightFlaw::flies_the_whole_step)
+      time = at_the_end ? dt : std::min(dt, time + flown);
     bounces = in.material.restitution > least && value.impacts < cap;
   }
   value.projected = dt - time;
-  in.dt = value.projected;
-  const bool tells_all = flaw == FlightFlaw::projects_and_tells_the_whole_step;
-  if (tells_all || flaw == FlightFlaw::tells_the_whole_step) value.projected = dt;
-  if (tells_all || flaw == FlightFlaw::projects_the_whole_step) in.dt = dt;
-  if (flaw == FlightFlaw::drops_the_rest) in.dt = 0.0;
-  const bool corrects = flaw != FlightFlaw::no_corrections;
-  in.corrections = {corrects, corrects};
-  StepValue end = projected_step(in);
-  if (flaw == FlightFlaw::flies_the_rest || flaw == FlightFlaw::tells_no_rest) {
-    const common::Flight rest{p.position, p.velocity, in.gravity};
-    end = {position_at(rest, in.dt), velocity_at(rest, in.dt), common::Vec3::Zero()};
-    if (flaw == FlightFlaw::tells_no_rest) value.projected = 0.0;
-  }
-  value.step = {end.position, end.velocity, narrow(impulses)};
-  return value;
+  value.step.impulse = narrow(impulses);
+  return with_projection(value, in, flaw);
 }
 
 /// What the answer makes of it.

@@ -66,6 +66,11 @@ add_mutant(${lab} node_reference_kept 5.2
   "    node.box = end - begin > leaf_size && depth == 0 && bvh.nodes.size() > 3 ? Box{} : node.box;
     bvh.nodes[index] = node;" "reference to a node is kept")
 
+# The middle of a triangle's box is taken for its centroid.
+add_mutant(${lab} halved_by_boxes 5.2
+  "part.centroid[k] = (t[0][k] + t[1][k] + t[2][k]) / 3.0;"
+  "part.centroid[k] = 0.5 * (part.box.low[k] + part.box.high[k]);" "middles of the triangles' boxes")
+
 # The middle of the span is taken for the median.
 add_mutant(${lab} halved_by_place 5.2
   "const Place middle = begin + (end - begin) / 2;"
@@ -323,6 +328,11 @@ add_mutant(${lab} refit_of_leaves 5.7
 add_mutant(${lab} refit_without_boxes 5.7
   "for (std::size_t i = bvh.nodes.size(); i-- > 0;) {" "for (std::size_t i = 0; i-- > 0;) {"
   "boxes are still the old ones")
+
+# Only a mesh with too few triangles is thought to be another one.
+add_mutant(${lab} refit_of_more 5.7
+  "deformed.triangles.size() != bvh.triangles.size()"
+  "deformed.triangles.size() < bvh.triangles.size()" "")
 
 # A box is extended where it should begin anew.
 add_mutant(${lab} refit_only_grows 5.7 "node.box = Box{};" "" "boxes only grow")

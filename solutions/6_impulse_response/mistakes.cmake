@@ -469,3 +469,11 @@ add_mutant(${lab} hinge_without_K 6.5
 add_mutant(${lab} hinge_without_spin 6.5
   "RigidBody next = body;" "RigidBody next = body;
   if (body.inverse_mass == 0.0) return next;" "")
+
+# Points that rest are believed to need an impulse, too.
+add_mutant(${lab} impulse_at_rest 6.5
+  "if (u_n >= 0.0) return Vec3::Zero();" "if (u_n > 0.0) return Vec3::Zero();" "")
+
+# Bodies are believed to be immovable only if nothing at all moves the contact.
+add_mutant(${lab} immovable_by_K 6.5
+  "if (a.inverse_mass == 0.0 && b.inverse_mass == 0.0) {" "if (K.isZero(0.0)) {" "")

@@ -87,9 +87,11 @@ TEST_CASE("A quarter turn brings two triangles together", "[5.7]") {
   RigidTransform a_from_b;
   a_from_b.rotation << 0.0, -1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0;
   a_from_b.translation = Vec3(1.0, 1.0, 0.0);
-  CHECK(expect_moved(a, b, a_from_b, 1, 1, 2) == 1);
+  const std::size_t together = expect_moved(a, b, a_from_b, 1, 1, 2);
+  CHECK(together == 1);
   a_from_b.translation = Vec3(5.0, -1.0, 0.0);
-  CHECK(expect_moved(a, b, a_from_b, 1, 2, 2) == 0);
+  const std::size_t apart = expect_moved(a, b, a_from_b, 1, 2, 2);
+  CHECK(apart == 0);
 }
 
 TEST_CASE("Without a motion the pairs are those of the meshes at rest", "[5.7]") {
@@ -185,7 +187,8 @@ TEST_CASE("Moved corners that touch only by rounding are compared as rounded", "
         return Vec3(tip + place.size * d);
       };
       const TriangleMesh a{{tip, beyond(0.3, 0.1), beyond(-0.2, 0.4)}, {{0, 1, 2}}};
-      CHECK(expect_moved(a, b, t, 1, ++index, 1200) == 1);
+      const std::size_t pairs = expect_moved(a, b, t, 1, ++index, 1200);
+      CHECK(pairs == 1);
     }
   }
 }

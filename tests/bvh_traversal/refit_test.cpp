@@ -147,6 +147,8 @@ TEST_CASE("A refit refuses another number of triangles and a broken mesh", "[5.7
   const Bvh bvh = tests::tree_of(mesh, 4);
   TriangleMesh fewer = mesh;
   fewer.triangles.pop_back();
+  TriangleMesh more = mesh;
+  more.triangles.push_back(mesh.triangles[0]);
   TriangleMesh broken = mesh;
   broken.vertices[7].x() = std::numeric_limits<double>::quiet_NaN();
   TriangleMesh beyond = mesh;
@@ -156,9 +158,10 @@ TEST_CASE("A refit refuses another number of triangles and a broken mesh", "[5.7
     TriangleMesh mesh;
   };
   int index = 0;
-  for (const Case& c : {Case{"it has one triangle fewer", fewer}, Case{"a vertex is NaN", broken},
-                        Case{"vertex 10000 does not exist", beyond}}) {
-    Trial("5.7 refit", ++index, 3)
+  for (const Case& c :
+       {Case{"it has one triangle fewer", fewer}, Case{"it has one triangle more", more},
+        Case{"a vertex is NaN", broken}, Case{"vertex 10000 does not exist", beyond}}) {
+    Trial("5.7 refit", ++index, 4)
         .given("deformed", tests::Code{c.why})
         .expect_throw([&] { return tests::Tree{refit(bvh, c.mesh)}; }, c.why);
   }

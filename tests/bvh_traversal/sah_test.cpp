@@ -80,17 +80,31 @@ bool fits(const std::string& story, const Choice& choice, int bins) {
   return std::isinf(other) ? is_halved(choice) : std::abs(choice.got() - other) <= 1e-12 * other;
 }
 
+/// Whether the cut is at a plane between bins, though not at the best.
+bool is_at_plane(const Choice& choice) {
+  for (const std::vector<Sides>& axis : choice.axes) {
+    for (const Sides& plane : axis) {
+      const double other = tests::cost(plane, Weight::area_and_number);
+      if (std::abs(choice.got() - other) <= 1e-12 * other) return true;
+    }
+  }
+  return false;
+}
+
 /// The one story that tells of all wrong cuts of a tree.
 std::string likely_cut(const Bvh& bvh, const Shape& shape, int bins) {
   std::vector<std::string> stories{halved,   by_volume,    without_numbers,
                                    one_axis, without_last, without_first};
+  bool at_planes = true;
   for (std::size_t i = 0; i < bvh.nodes.size(); ++i) {
     if (tests::is_leaf(bvh.nodes[i]) || shape.depth[i] >= 32) continue;
     const Choice choice = choice_at(bvh, shape, i, bins);
     if (!choice.is_wrong()) continue;
     std::erase_if(stories, [&](const auto& story) { return !fits(story, choice, bins); });
+    at_planes = at_planes && is_at_plane(choice);
   }
-  return stories.size() == 1 ? stories.front() : stories.empty() ? dearer : "";
+  if (stories.size() == 1) return stories.front();
+  return stories.empty() && at_planes ? dearer : "";
 }
 
 /// Requires that no plane is cheaper than the cut of a node.

@@ -191,13 +191,19 @@ inline std::vector<std::size_t> entries_below(const lab::Bvh& bvh, const Shape& 
 
 inline Vec3 centroid(const common::Triangle& t) { return (t[0] + t[1] + t[2]) / 3.0; }
 
-inline std::vector<Vec3> centroids_below(const lab::Bvh& bvh, const Shape& shape,
-                                         std::size_t node) {
-  std::vector<Vec3> centroids;
+/// A point that many take for the centroid.
+inline Vec3 middle_of_box(const common::Triangle& t) {
+  return 0.5 * (t[0].cwiseMin(t[1]).cwiseMin(t[2]) + t[0].cwiseMax(t[1]).cwiseMax(t[2]));
+}
+
+/// One point of each triangle below a node.
+inline std::vector<Vec3> points_below(const lab::Bvh& bvh, const Shape& shape, std::size_t node,
+                                      Vec3 (*point)(const common::Triangle&) = centroid) {
+  std::vector<Vec3> points;
   for (const std::size_t i : entries_below(bvh, shape, node)) {
-    centroids.push_back(centroid(bvh.corners[i]));
+    points.push_back(point(bvh.corners[i]));
   }
-  return centroids;
+  return points;
 }
 
 inline std::pair<Vec3, Vec3> span_of(const std::vector<Vec3>& points) {

@@ -153,16 +153,20 @@ TEST_CASE("A normal impulse of bad input is refused", "[6.1]") {
 TEST_CASE("Friction of bad input is refused", "[6.2]") {
   const std::string f = "6.2 friction_impulse";
   for (const Vec3& v : {Vec3(1.0, 0.0, -1.0), Vec3(-up)}) {
-    refuse(f, no_mass(), "mass", [&](double m) { return friction_impulse(m, v, up, 1.0, 0.5); });
     refuse(f, below_zero(), "normal_impulse",
            [&](double j) { return friction_impulse(1.0, v, up, j, 0.5); });
-    refuse(f, below_zero(), "friction",
-           [&](double mu) { return friction_impulse(1.0, v, up, 1.0, mu); });
-    refuse(f, no_normals(), "normal", unit_normal,
-           [&](const Vec3& n) { return friction_impulse(1.0, v, n, 1.0, 0.5); });
+    for (const double j : {1.0, 0.0}) {  // without pressure there is no friction to compute
+      refuse(f, no_mass(), "mass", [&](double m) { return friction_impulse(m, v, up, j, 0.5); });
+      refuse(f, below_zero(), "friction",
+             [&](double mu) { return friction_impulse(1.0, v, up, j, mu); });
+      refuse(f, no_normals(), "normal", unit_normal,
+             [&](const Vec3& n) { return friction_impulse(1.0, v, n, j, 0.5); });
+    }
   }
-  refuse(f, {nan_vector, infinite_vector}, "velocity", must_be_finite,
-         [&](const Vec3& u) { return friction_impulse(1.0, u, up, 1.0, 0.5); });
+  for (const double j : {1.0, 0.0}) {
+    refuse(f, {nan_vector, infinite_vector}, "velocity", must_be_finite,
+           [&](const Vec3& u) { return friction_impulse(1.0, u, up, j, 0.5); });
+  }
 }
 
 TEST_CASE("Corrections of bad input are refused", "[6.3]") {
@@ -252,11 +256,18 @@ TEST_CASE("Two bodies without a finite mass have no impulse", "[6.5]") {
   RigidBody pivoted = tests::ground();
   pivoted.inverse_inertia = Mat3::Identity();
   pivoted.velocity = -up;
+  RigidBody beside = pivoted;  // it turns about a point beside the contact, so K is not zero
+  beside.position = Vec3(1.0, 0.0, 0.0);
+  beside.angular_velocity = Vec3(0.0, -1.0, 0.0);
+  int index = 0;
   for (const RigidBody& a : {tests::ground(), pivoted}) {
-    Trial("6.5 contact_impulse")
-        .given("a", tests::Code{tests::text_of(a)})
-        .given("b", tests::Code{tests::text_of(pivoted)})
-        .expect_throw([&, first = a] { return contact_impulse(first, pivoted, {}, {}); },
-                      "both inverse masses are zero");
+    for (const RigidBody& b : {pivoted, beside}) {
+      Trial("6.5 contact_impulse", ++index, 4)
+          .given("a", tests::Code{tests::text_of(a)})
+          .given("b", tests::Code{tests::text_of(b)})
+          .expect_throw(
+              [&, first = a, second = b] { return contact_impulse(first, second, {}, {}); },
+              "both inverse masses are zero");
+    }
   }
 }

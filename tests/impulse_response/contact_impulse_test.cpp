@@ -139,11 +139,15 @@ TEST_CASE("If the points move apart or rest there is no impulse", "[6.5]") {
   ContactInput in = particle_on_ground(0.5, 0.5);
   const tests::Bound none{0.0, "there is nothing to stop"};
   in.b.velocity.z() = 3.0;
-  expect_impulse(in, Vec3::Zero(), none, 1, 3);
+  expect_impulse(in, Vec3::Zero(), none, 1, 4);
   in.b.velocity.z() = 0.0;
-  expect_impulse(in, Vec3::Zero(), none, 2, 3);
+  expect_impulse(in, Vec3::Zero(), none, 2, 4);
   in.b.velocity.setZero();
-  expect_impulse(in, Vec3::Zero(), none, 3, 3);
+  expect_impulse(in, Vec3::Zero(), none, 3, 4);
+  // The rod of the handout slides on rough ground: an impulse that stops it would have a j_n.
+  in.b = {1.0, 1.5 * Mat3::Identity(), Vec3(-1.0, 0.0, 1.0), Vec3(3.0, 0.0, 0.0), Vec3::Zero()};
+  in.material.friction = 4.0;
+  expect_impulse(in, Vec3::Zero(), none, 4, 4);
 }
 
 TEST_CASE("A straight hit is along the normal on ground of any friction", "[6.5]") {

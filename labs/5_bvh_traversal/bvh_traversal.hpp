@@ -21,7 +21,8 @@ using common::Triangle;
 using common::TriangleMesh;
 using common::Vec3;
 
-/// All points with low ≤ point ≤ high in every coordinate. A default Box is empty.
+/// All points with low ≤ point ≤ high in every coordinate. A default Box is empty, and no other
+/// empty box is passed in.
 struct Box {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());    ///< [m]
   Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());  ///< [m]

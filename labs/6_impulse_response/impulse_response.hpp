@@ -92,7 +92,7 @@ struct Impact {
 
 struct ImpactStep {
   Particle particle;
-  std::vector<Impact> impacts;  ///< in order of time
+  std::vector<Impact> impacts;  ///< in order of time, without the impulse of option 2
   double projected = 0.0;       ///< the time at the end of the step that option 2 did [s]
 };
 

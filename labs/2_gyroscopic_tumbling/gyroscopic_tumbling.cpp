@@ -154,11 +154,11 @@ Vec3 corrected_moments(const Vec3& moments, const MomentCorrection& correction) 
 
 Quat moser_veselov_increment(const Vec3& moments, const Vec3& angular_momentum_body, double dt) {
   // TODO step 2.8, eq. (24)
-  // 1. Divide by p0². With e = p/p0 and 1/p0² = 1 + |e|² these are three equations for e.
-  // 2. Solve them for I_i e_i and iterate from e = 0, or use Newton's method. Stop when e changes
-  //    only by a few ulp; it need not be quite constant.
-  // 3. If e does not settle, give up and throw std::domain_error.
-  // 4. Normalise p = (1, e).
+  // 1. Divide by 2 p0². With b_i = p_i/p0 and 1/p0² = 1 + |b|² these are three equations for b.
+  // 2. Solve them for I_i b_i and iterate from b = 0, or use Newton's method. Stop when the change
+  //    of b is at most 1e-14 |b|. It need not be zero, but b may be.
+  // 3. If b does not settle, give up and throw std::domain_error.
+  // 4. Normalise p = (1, b).
   throw common::NotImplemented("2.8 moser_veselov_increment");
 }
 

@@ -10,7 +10,8 @@
 /// are the same attitude. Body axes are principal axes: `moments` are I1, I2, I3 about the centre
 /// of mass [kg m²], each above zero and none above the sum of the other two. m = Rᵀ L is the
 /// angular momentum in body axes. A step takes a dt [s] of either sign with |ω dt| < 1e6, and
-/// returns a unit q. Masses, moments, ω and dt are zero or, in these units, 1e-60 to 1e60 in size.
+/// returns a unit q. In these units masses and moments are 1e-60 to 1e60; ω and dt are zero or
+/// 1e-60 to 1e60 in size.
 namespace lab::gyroscopic_tumbling {
 
 using common::HeavyTop;

@@ -2,11 +2,12 @@
 // do. README.md has the physics and the numbered equations. Test your file with:  ./tumble test 4
 //
 // You may include these headers, which are supplied:
-//   common/course/require.hpp        checks of arguments that throw std::invalid_argument
-//   common/exact/double_double.hpp  sums and products of doubles without rounding, and 106-bit
-//   numbers common/exact/exact_number.hpp   numbers that are never rounded, for the few decisions
-//   that need them common/exact/bernstein.hpp      polynomials over an interval, halved without
-//   loss common/exact/exact_roots.hpp    how many roots a polynomial has, counted without rounding
+//
+//   common/course/require.hpp       checks of arguments that throw std::invalid_argument
+//   common/exact/double_double.hpp  numbers of 106 bits; sums, products of doubles without rounding
+//   common/exact/exact_number.hpp   numbers that are never rounded, for the few signs that need it
+//   common/exact/bernstein.hpp      polynomials over an interval, halved without loss
+//   common/exact/exact_roots.hpp    how many roots a polynomial has, counted without rounding
 //   common/exact/exact_path.hpp     straight motions and their products as such polynomials
 #include "continuous_particle_cylinder.hpp"
 
@@ -66,6 +67,7 @@ Advancement conservative_advancement(const MovingParticle& particle, const Cylin
   // 1. Start at t = 0. Evaluate φ and count it.
   // 2. If φ is within the tolerance, you are done.
   // 3. Otherwise no contact is possible before t + φ/|v|. Go there, unless that is past dt.
+  // 4. If t + φ/|v| is t itself, because φ/|v| is too small for t to grow, you are done, too.
   throw common::NotImplemented("4.3 conservative_advancement");
 }
 

@@ -59,6 +59,14 @@ add_mutant(${lab} moments_of_flat_bodies_refused 2.1
   "greatest > (moments.sum() - greatest) + 4.0 * eps * greatest"
   "greatest >= moments.sum() - greatest" "flat body is refused")
 
+# The tolerance is a length of the number axis near one, whatever the moments are.
+add_mutant(${lab} moments_with_absolute_tolerance 2.1
+  "+ 4.0 * eps * greatest" "+ 1e-15 * std::max(greatest, 1.0)" "tolerance of the triangle")
+
+# The tolerance is chosen by feeling.
+add_mutant(${lab} moments_with_wide_tolerance 2.1
+  "+ 4.0 * eps * greatest" "+ 1e-12 * greatest" "tolerance of the triangle")
+
 # ---- 2.2 ----
 
 # The term is moved to the other side of the equation with its sign.
@@ -341,6 +349,10 @@ add_mutant(${lab} projection_underflows 2.7
 add_mutant(${lab} projection_refuses_the_short 2.7
   "if (!(greatest > 0.0 &&" "if (!(greatest > 1e-3 &&" "only zero has no direction")
 
+# The same, but of what is so short that its square underflows.
+add_mutant(${lab} projection_refuses_the_very_short 2.7
+  "if (!(greatest > 0.0 &&" "if (!(greatest > 1e-150 &&" "only zero has no direction")
+
 # The prediction is believed to be good enough.
 add_mutant(${lab} constrained_step_without_projection 2.7
   "project(predicted_attitude(state.world_from_body, next.angular_velocity, dt));"
@@ -374,6 +386,16 @@ add_mutant(${lab} increment_without_products 2.8
 add_mutant(${lab} increment_of_whole_dt 2.8
   "const Vec3 half = 0.5 * dt * angular_momentum_body;" "const Vec3 half = dt * angular_momentum_body;"
   "or the half of dt m")
+
+# A change must be below its bound, but at rest both are zero.
+add_mutant(${lab} increment_never_at_rest 2.8
+  "change.norm() <= 1e-10 * e.norm()" "change.norm() < 1e-10 * e.norm()" "stop by <=")
+
+# Time is believed to run forwards.
+add_mutant(${lab} increment_refuses_negative_dt 2.8
+  "  const Vec3 half = 0.5 * dt * angular_momentum_body;"
+  "  if (dt <= 0.0) throw std::domain_error(\"dt\");
+  const Vec3 half = 0.5 * dt * angular_momentum_body;" "")
 
 # The vector part alone is solved for, and taken for a unit quaternion.
 add_mutant(${lab} increment_not_normalised 2.8

@@ -106,6 +106,11 @@ add_mutant(${lab} cross_form_start_touching_missed 4.2
   "if (c <= 8.0 * eps * eps * rho_squared)" "if (c < -8.0 * eps * eps * rho_squared)"
   "touching at the start")
 
+# The rounded gap is believed to have the right sign.
+add_mutant(${lab} cross_form_start_without_margin 4.2
+  "if (c <= 8.0 * eps * eps * rho_squared) return 0.0;"
+  "if (std::hypot(y, z) - rho.high <= 0.0) return 0.0;" "margin of a few eps of rho")
+
 # One point in common is believed to be none.
 add_mutant(${lab} cross_form_tangent_missed 4.2
   "w > lean * w_touching" "w >= w_touching" "touching in passing")
@@ -186,6 +191,18 @@ add_mutant(${lab} advancement_without_arrival_at_dt 4.3
   "    t = next;" "    if (next >= dt) break;
     t = next;" "arrival at dt is lost")
 
+# A gap within the tolerance is taken to be one below it.
+add_mutant(${lab} advancement_below_tolerance 4.3
+  "gap <= tolerance ||" "gap < tolerance ||" "equals the tolerance")
+
+# A particle that rests is believed to need no look.
+add_mutant(${lab} advancement_at_rest_not_evaluated 4.3
+  "  for (double t = 0.0; t <= dt;) {
+    const double gap"
+  "  if (speed == 0.0) return advancement;
+  for (double t = 0.0; t <= dt;) {
+    const double gap" "before you look at the speed")
+
 # The tolerance is met by eye.
 add_mutant(${lab} advancement_wide_tolerance 4.3
   "gap <= tolerance ||" "gap <= (1.0 + 1e-8) * tolerance ||" "tolerance is taken too wide")
@@ -254,6 +271,26 @@ add_mutant(${lab} batch_lengths_not_compared 4.5
   "MovingParticles filled = particles;
     for (auto* one : {&filled.z, &filled.velocity_y, &filled.velocity_z}) one->resize(y.size());
     return times_of_impact(filled, cylinder, dt);" "lengths of the four arrays")
+
+# The coordinates are compared with each other, and so are the velocities.
+add_mutant(${lab} batch_lengths_compared_in_pairs 4.5
+  "if (z.size() != y.size() || v_y.size() != y.size() || v_z.size() != y.size()) {"
+  "MovingParticles filled = particles;
+  for (auto* one : {&filled.velocity_y, &filled.velocity_z}) one->resize(y.size());
+  if (v_y.size() != y.size() && z.size() == y.size() && v_z.size() == v_y.size()) {
+    return times_of_impact(filled, cylinder, dt);
+  }
+  if (z.size() != y.size() || v_y.size() != y.size() || v_z.size() != y.size()) {"
+  "lengths of the four arrays")
+
+# A filter in plain doubles is believed to need no bound of its error.
+add_mutant(${lab} batch_filter_without_bounds 4.5
+  "    times[i] = certified_time("
+  "    const double rho = cylinder.radius + r;
+    const bool outside = y[i] * y[i] + z[i] * z[i] - rho * rho > 0.0;
+    times[i] = infinity;
+    if (outside && y[i] * v_y[i] + z[i] * v_z[i] > 0.0) continue;
+    times[i] = certified_time(" "because c is rounded")
 
 # Without particles there is nothing to do, so nothing is looked at.
 add_mutant(${lab} batch_of_none_not_checked 4.5

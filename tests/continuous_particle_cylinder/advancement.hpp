@@ -105,9 +105,20 @@ inline void expect_sequence(const Query& query, double tolerance, int index = 1,
                 return suspects;
               });
   const auto number = [](const Sequence& other) { return static_cast<double>(other.evaluations); };
+  // Where a particle that moves is counted right, what is wrong with one at rest is its own.
+  const auto at_rest = [&]() -> std::vector<Suspect<double>> {
+    Query moving = query;
+    moving.particle.velocity = {0.0, 0.0, 1.0};
+    moving.dt = 0.0;
+    if (advanced(moving, tolerance).iterations != 1) return {};
+    return {{0.0,
+             "a particle at rest is not looked at: evaluate and count phi before you look at "
+             "the speed"}};
+  };
   here.of("iterations")
       .expect(static_cast<double>(got.iterations), number(wanted),
               {0.0, "one for each evaluation of the gap, including the first and the last"}, [&] {
+                if (speed == 0.0) return at_rest();
                 std::vector<Suspect<double>> suspects;
                 for (const auto& [other, story] : wrong_sequences(query, tolerance)) {
                   suspects.push_back({number(other), story});

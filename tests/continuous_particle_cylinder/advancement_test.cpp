@@ -135,6 +135,24 @@ TEST_CASE("Advancement that arrives exactly at dt is an impact", "[4.3]") {
   }
 }
 
+// On an axis, and with whole numbers or their halves, φ is the tolerance itself, without rounding.
+TEST_CASE("A gap that equals the tolerance is within it", "[4.3]") {
+  for (const double tolerance : {5.0, 0.5, 0.0078125}) {
+    for (const double speed : {2.0, -2.0, 0.0}) {  // away, nearer, at rest
+      const Query query = tests::query({0, -5.0 - tolerance, 0}, {3, -speed, 0}, 10.0);
+      const auto here = tests::advancement_trial(query, tolerance);
+      const Advancement got = tests::advanced(query, tolerance);
+      here.expect(Time{got.time}, Time{0.0}, {0.0, "phi is exactly the tolerance"}, [&] {
+        const bool right_beside = tests::advanced(query, 1.001 * tolerance).time == 0.0;
+        const char* const story = "a gap that equals the tolerance is not counted: compare by <=";
+        return right_beside ? tests::TimeSuspects{{Time{got.time}, story}} : tests::TimeSuspects{};
+      });
+      here.of("iterations")
+          .expect(static_cast<double>(got.iterations), 1.0, {0.0, "the start alone"});
+    }
+  }
+}
+
 TEST_CASE("A gap just above the tolerance is not an impact", "[4.3]") {
   for (const double tolerance : {0.5, 0.0078125}) {
     for (const double share : {1e-9, 1e-12, 256.0 * eps}) {

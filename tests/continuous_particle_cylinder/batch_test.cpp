@@ -1,3 +1,5 @@
+#include <functional>
+
 #include "bad_input.hpp"
 #include "catch.hpp"
 #include "narrow.hpp"
@@ -37,7 +39,10 @@ constexpr const char* last_missed = "the last particle is left out: let the loop
 
 Time batch_time(double time) { return time == infinity ? Time{} : Time{time}; }
 
-void expect_batch(const Batch& batch) {
+/// suspects_of  a query of the batch, whose time is wrong
+void expect_batch(
+    const Batch& batch,
+    const std::function<tests::TimeSuspects(const Query&)>& suspects_of = tests::suspects_of) {
   const std::size_t size = batch.particles.y.size();
   const std::vector<double> got = times_of_impact(batch.particles, batch.cylinder, batch.dt);
   tests::Trial(batch_step)
@@ -50,7 +55,7 @@ void expect_batch(const Batch& batch) {
         tests::trial(batch_step, query, static_cast<int>(i + 1), static_cast<int>(size));
     const auto suspects = [&] {
       if (i > 0 && i + 1 == size) return tests::TimeSuspects{{batch_time(got[i]), last_missed}};
-      auto all = tests::suspects_of(query);
+      auto all = suspects_of(query);
       all.push_back(
           {{-1.0}, "no impact is returned as -1, but infinity does that: return infinity"});
       return all;
@@ -68,6 +73,20 @@ Batch random_batch(tests::Random& random, std::size_t size) {
     const Vec3 position = random.vector(4.0);
     add(batch.particles, position, random.vector(5.0));
   }
+  return batch;
+}
+
+/// Particles that leave the surface, on which they start but for a few ulp. The last one hits.
+Batch leaving_batch(tests::Random& random, std::size_t size) {
+  Batch batch = random_batch(random, 0);
+  const double rho = batch.cylinder.radius + batch.particles.radius;
+  for (std::size_t i = 0; i + 1 < size; ++i) {
+    const double place = random.uniform(0.0, 6.2);
+    const Vec3 out(0.0, std::cos(place), std::sin(place));
+    const Vec3 position(0.0, tests::nudged(random, rho * out.y(), 3), rho * out.z());
+    add(batch.particles, position, random.uniform(0.5, 2.0) * out);
+  }
+  add(batch.particles, {0.0, 2.0 * rho, 0.0}, {0.0, -3.0 * rho / batch.dt, 0.0});
   return batch;
 }
 
@@ -119,6 +138,21 @@ TEST_CASE("Touches in the middle of a batch are decided as for one particle", "[
   for (const tests::Tie& tie : tests::ties()) {
     for (const std::size_t place : {0U, 5U, 8U, 12U}) expect_batch(with_tie(tie, 19, place));
   }
+}
+
+// For about a third of them c <= 0, but not c as the sum of rounded squares, or the other way
+// round.
+TEST_CASE("A batch is right for particles that leave the surface", "[4.5]") {
+  const auto suspects_of = [](const Query& query) {
+    const Batch whole = with_tie(tests::ties().front(), 9, 4);
+    const bool right = times_of_impact(whole.particles, whole.cylinder, whole.dt)[4] == 0.0;
+    if (!right) return tests::suspects_of(query);
+    return tests::TimeSuspects{{{},
+                                "a start on the surface is missed, because c is rounded: if it is "
+                                "within its error bound, use step 4.3"}};
+  };
+  tests::Random random(454);
+  for (int k = 0; k < 20; ++k) expect_batch(leaving_batch(random, 50), suspects_of);
 }
 
 TEST_CASE("A batch of touching and grazing paths is right to one ulp", "[4.5]") {
@@ -205,38 +239,31 @@ TEST_CASE("A batch refuses bad arguments at any index", "[4.5]") {
 
 TEST_CASE("A batch refuses arrays of different lengths", "[4.5]") {
   const Batch whole = with_tie(tests::ties()[0], 9, 9);
-  for (int array = 0; array < 4; ++array) {
-    MovingParticles one_filled;
-    MovingParticles one_empty = whole.particles;
-    std::vector<double>* const filled[] = {&one_filled.y, &one_filled.z, &one_filled.velocity_y,
-                                           &one_filled.velocity_z};
-    std::vector<double>* const emptied[] = {&one_empty.y, &one_empty.z, &one_empty.velocity_y,
-                                            &one_empty.velocity_z};
-    filled[array]->resize(3, 1.0);
-    emptied[array]->clear();
-    for (const MovingParticles& p : {one_filled, one_empty}) {
-      tests::Trial(batch_step)
-          .given("lengths", Vec3(static_cast<double>(p.y.size()), static_cast<double>(p.z.size()),
-                                 static_cast<double>(p.velocity_y.size())))
-          .expect_throw(
-              [&, &p = p] {
-                return static_cast<double>(times_of_impact(p, whole.cylinder, whole.dt).size());
-              },
-              "the arrays differ in length, because one is empty",
-              "the lengths of the four arrays are not compared: throw if they differ");
-    }
-    for (const int change : {-1, 1}) {
-      Batch batch = whole;
-      MovingParticles& p = batch.particles;
-      std::vector<double>* const arrays[] = {&p.y, &p.z, &p.velocity_y, &p.velocity_z};
-      arrays[array]->resize(static_cast<std::size_t>(9 + change), 1.0);
-      tests::Trial(batch_step)
-          .given("array", static_cast<double>(array))
-          .given("its length", 9.0 + change)
-          .given("length of the others", 9.0)
-          .expect_throw([&] { return Time{times_of_impact(p, batch.cylinder, batch.dt).at(0)}; },
-                        "the arrays differ in length",
-                        "the lengths of the four arrays are not compared: throw if they differ");
+  const auto count = [](const std::vector<double>& array) {
+    return static_cast<double>(array.size());
+  };
+  int index = 0;
+  for (const std::size_t size_y : {9U, 8U, 0U}) {
+    for (const std::size_t size_z : {9U, 8U, 0U}) {
+      for (const std::size_t size_v_y : {9U, 8U, 0U}) {
+        for (const std::size_t size_v_z : {9U, 8U, 0U}) {
+          if (size_y == size_z && size_z == size_v_y && size_v_y == size_v_z) continue;
+          MovingParticles p = whole.particles;
+          p.y.resize(size_y);
+          p.z.resize(size_z);
+          p.velocity_y.resize(size_v_y);
+          p.velocity_z.resize(size_v_z);
+          tests::Trial(batch_step, ++index, 78)
+              .given("particles.y.size()", count(p.y))
+              .given("particles.z.size()", count(p.z))
+              .given("particles.velocity_y.size()", count(p.velocity_y))
+              .given("particles.velocity_z.size()", count(p.velocity_z))
+              .expect_throw([&] { return count(times_of_impact(p, whole.cylinder, whole.dt)); },
+                            "the arrays differ in length",
+                            "the lengths of the four arrays are not compared, or not each with the "
+                            "others: throw if any differ");
+        }
+      }
     }
   }
 }

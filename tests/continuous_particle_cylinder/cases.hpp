@@ -172,6 +172,14 @@ inline Query slow_query(Random& random) {
   return query;
 }
 
+/// It leaves the surface, on which it starts but for a few ulp.
+inline Query leaving_query(Random& random) {
+  Query query = aimed(random, {1.0, random.uniform(-0.9, 0.9), power_of_ten(random, -3.0, 3.0)});
+  query.particle.position.y() = nudged(random, query.particle.position.y(), 3);
+  query.particle.velocity *= -1.0;
+  return query;
+}
+
 /// The line is ρ from the axis but for a few ulp.
 inline Query grazing_query(Random& random) {
   Query query = aimed(random, {random.uniform(1.0, 5.0), 1.0, power_of_ten(random, -3.0, 3.0)});

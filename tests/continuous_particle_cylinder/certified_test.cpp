@@ -135,6 +135,10 @@ TEST_CASE("The certified root is right to one ulp for very slow paths next to th
   expect_all_hard_certain(tests::slow_query, 434, 500);
 }
 
+TEST_CASE("The certified root is right for paths that leave the surface", "[4.3]") {
+  expect_all_hard_certain(tests::leaving_query, 4316, 500);
+}
+
 TEST_CASE("The certified root is right on paths that graze by an ulp", "[4.3]") {
   expect_all_hard_certain(tests::grazing_query, 435, 1000);
 }

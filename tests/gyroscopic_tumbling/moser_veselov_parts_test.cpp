@@ -48,6 +48,21 @@ std::string likely_increment(const Vec3& moments, const Vec3& momentum, double d
   return "";
 }
 
+/// Why there is no increment for m = 0 or dt = 0, if there is one for a small m.
+std::string why_none_at_rest() {
+  const auto exists = [](const Vec3& momentum) {
+    try {
+      moser_veselov_increment(Vec3(1.0, 2.0, 2.5), momentum, 1.0);
+      return true;
+    } catch (const std::domain_error&) {
+      return false;
+    }
+  };
+  return exists(Vec3(1e-3, 1e-3, 1e-3)) && !exists(Vec3::Zero())
+             ? "b = 0 is right at once, but its change is not below a share of 0: stop by <="
+             : "";
+}
+
 MomentCorrection with_powers(const Vec3& I, const Spin& spin, double dt, bool half_energy = true) {
   const VecL i = wide(I);
   const VecL m = tests::times(i, wide(spin.angular_velocity_body));
@@ -129,6 +144,30 @@ TEST_CASE("The increment solves its equation", "[2.8]") {
     trial.expect_small("||p| - 1|", std::abs(p.norm() - 1.0), {4.0 * eps, "normalised"},
                        "(1, b) is not normalised: divide it by its length");
     trial.expect_small("-p0", -p.w(), {0.0, "the solution whose p0 goes to 1 as dt goes to 0"});
+  }
+}
+
+// dt m = 0 has the solution p = 1, where p_i Ĩ_i and all products are zero, without rounding.
+TEST_CASE("At rest or for no time the increment is the identity", "[2.8]") {
+  const Vec3 omega(0.3, -0.2, 0.1);
+  const std::vector<std::pair<Vec3, double>> all{{Vec3::Zero(), 0.1},
+                                                 {Vec3::Zero(), -1e60},
+                                                 {omega, 0.0},
+                                                 {1e60 * omega, 0.0},
+                                                 {Vec3::Zero(), 0.0}};
+  int index = 0;
+  for (const auto& [velocity, dt] : all) {
+    for (const Vec3& moments : {Vec3(1.0, 2.0, 2.5), Vec3(1e-50, 1e-50, 1e-50)}) {
+      const Vec3 momentum = moments.cwiseProduct(velocity);
+      const Trial trial = Trial(increment, ++index, 10)
+                              .given("moments", moments)
+                              .given("angular_momentum_body", momentum)
+                              .given("dt", dt)
+                              .suspecting(why_none_at_rest);
+      const Quat p =
+          trial.returned([&, &h = dt] { return moser_veselov_increment(moments, momentum, h); });
+      trial.expect(p, Quat::Identity(), {4.0 * eps, "a division of 1 by a root of 1"});
+    }
   }
 }
 

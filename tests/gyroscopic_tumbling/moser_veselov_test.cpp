@@ -94,9 +94,25 @@ TEST_CASE("A step of Moser and Veselov follows its formula at any speed", "[2.8]
     const Vec3 moments = tests::random_moments(random);
     const tests::Paced paced = tests::random_pace(random, 0.2);
     const Vec3 momentum = moments.cwiseProduct(paced.spin.angular_velocity_body);
-    tests::expect_paced(tests::spin_trial(moser_veselov_function, moments, paced.spin, i, 60),
-                        paced, step_moser_veselov(moments, {}, paced.spin, paced.dt),
-                        stepped(moments, paced.spin, exact_increment(moments, momentum, paced.dt)));
+    tests::expect_paced(
+        tests::spin_trial(moser_veselov_function, moments, paced.spin, i, 60), paced,
+        [&] { return step_moser_veselov(moments, {}, paced.spin, paced.dt); },
+        stepped(moments, paced.spin, exact_increment(moments, momentum, paced.dt)));
+  }
+}
+
+TEST_CASE("A step at rest or for no time changes nothing", "[2.8]") {
+  tests::Random random(287);
+  for (int i = 1; i <= 20; ++i) {
+    const Vec3 moments = tests::random_moments(random);
+    Spin spin = tests::random_spin(random, 3.0);
+    if (i % 2 == 0) spin.angular_velocity_body.setZero();
+    const double dt = i % 2 == 0 ? random.uniform(-0.2, 0.2) : 0.0;
+    const Trial trial =
+        tests::spin_trial(moser_veselov_function, moments, spin, i, 20).given("dt", dt);
+    const Spin got = trial.returned([&] { return step_moser_veselov(moments, {}, spin, dt); });
+    trial.expect(tests::value_of(got), tests::value_of(spin),
+                 {64.0 * eps, "a turn by 1, m times I and divided by it, q normalised"});
   }
 }
 

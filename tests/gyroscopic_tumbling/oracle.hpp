@@ -134,12 +134,13 @@ inline const char* const half_is_zero =
     "nothing changes, because 1/2 is 0 in whole numbers: write 0.5";
 
 /// Requires that a step at some pace is its formula; where nothing was done it says so.
+/// step     () -> Spin
 /// at_rest  why: a guard, unless nothing happens at ordinary paces either
-inline void expect_paced(const Trial& trial, const Paced& paced, const common::Spin& got,
-                         const SpinL& wanted, const std::string& at_rest = guarded) {
-  Trial(trial)
-      .given("dt", paced.dt)
-      .expect(value_of(got), narrow(wanted),
+template <typename Step>
+void expect_paced(const Trial& trial, const Paced& paced, const Step& step, const SpinL& wanted,
+                  const std::string& at_rest = guarded) {
+  const Trial here = Trial(trial).given("dt", paced.dt);
+  here.expect(value_of(here.returned(step)), narrow(wanted),
               {4096.0 * eps, "the same as at ordinary speeds, in units of the angular velocity"},
               {{value_of(paced.spin), at_rest}});
 }

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "common/course/require.hpp"
 
@@ -15,41 +17,36 @@ using Eigen::Index;
 
 /// A symmetric matrix with two diagonals: d_i, and e_i beside it in row i and i − 1.
 struct Tridiagonal {
-  Vector d;
-  Vector e;
+  std::vector<double> d;
+  std::vector<double> e;
 
   /// How many eigenvalues are below x: so many pivots of the matrix less x are below zero.
-  [[nodiscard]] int below(double x) const {
-    int count = 0;
+  [[nodiscard]] std::size_t below(double x) const {
+    std::size_t count = 0;
     double pivot = 1.0;
-    for (Index i = 0; i < d.size(); ++i) {
+    for (std::size_t i = 0; i < d.size(); ++i) {
       pivot = d[i] - x - (i > 0 ? e[i] * e[i] / pivot : 0.0);
       if (pivot == 0.0) pivot = -1e-300;
       if (pivot < 0.0) ++count;
     }
     return count;
   }
+
+  /// The largest eigenvalue, by bisection of an interval that holds it.
+  [[nodiscard]] double largest(double low, double high) const {
+    for (double mid = 0.5 * (low + high); mid > low && mid < high; mid = 0.5 * (low + high)) {
+      (below(mid) == d.size() ? high : low) = mid;
+    }
+    return high;
+  }
 };
 
-/// By Householder's reflections, column by column from the last; the eigenvalues stay.
-Tridiagonal tridiagonal(Matrix A) {
-  const Index n = A.rows();
-  Tridiagonal result{Vector::Zero(n), Vector::Zero(n)};
-  for (Index k = n - 1; k >= 1; --k) {
-    Vector v = A.col(k).head(k);
-    const double length = std::copysign(v.norm(), v[k - 1]);
-    result.e[k] = -length;
-    v[k - 1] += length;
-    if (v.isZero(0.0)) continue;
-    v /= v.norm();
-    Vector w = 2.0 * (A.topLeftCorner(k, k) * v);
-    w -= w.dot(v) * v;
-    for (Index j = 0; j < k; ++j) {
-      for (Index i = 0; i < k; ++i) A(i, j) -= v[i] * w[j] + w[i] * v[j];
-    }
-  }
-  result.d = A.diagonal();
-  return result;
+/// A vector that is in no special direction, and the same in every run.
+Vector any_direction(Index n) {
+  Vector v(n);
+  std::minstd_rand random;
+  for (double& entry : v) entry = static_cast<double>(random()) / 2147483647.0 - 0.5;
+  return v;
 }
 
 }  // namespace
@@ -67,6 +64,26 @@ double row_product(const Matrix& A, int i, const Vector& x) {
 Vector product(const Matrix& A, const Vector& x) {
   Vector result(A.rows());
   for (int i = 0; i < A.rows(); ++i) result[i] = row_product(A, i, x);
+  return result;
+}
+
+Vector symmetric_product(const Matrix& A, const Vector& x) {
+  Vector result = Vector::Zero(A.rows());
+  for (Index i = 0; i < A.rows(); ++i) {
+    std::array<double, 4> sums{A(i, i) * x[i]};
+    Index k = i + 1;
+    for (; k + 4 <= x.size(); k += 4) {
+      for (Index j = 0; j < 4; ++j) {
+        sums[static_cast<std::size_t>(j)] += A(i, k + j) * x[k + j];
+        result[k + j] += A(i, k + j) * x[i];
+      }
+    }
+    for (; k < x.size(); ++k) {
+      sums[0] += A(i, k) * x[k];
+      result[k] += A(i, k) * x[i];
+    }
+    result[i] += (sums[0] + sums[1]) + (sums[2] + sums[3]);
+  }
   return result;
 }
 
@@ -100,17 +117,31 @@ Matrix block(const Matrix& A, const std::vector<int>& rows) {
 
 double largest_eigenvalue(const Matrix& A) {
   if (A.rows() == 0) return 0.0;
-  double largest = 0.0;
-  for (double entry : Vector(A.reshaped())) largest = std::max(largest, std::abs(entry));
-  if (largest == 0.0) return 0.0;
-  const Tridiagonal scaled = tridiagonal(A / largest);
-  const int n = static_cast<int>(A.rows());
-  double low = -n;  // no eigenvalue is larger than the sum of a row
-  double high = n;
-  for (double mid = 0.0; mid > low && mid < high; mid = 0.5 * (low + high)) {
-    (scaled.below(mid) == n ? high : low) = mid;
+  double size = 0.0;
+  for (double entry : Vector(A.reshaped())) size = std::max(size, std::abs(entry));
+  if (size == 0.0) return 0.0;
+  // The method of Lanczos: seen along v₁, v₂ ~ A v₁, v₃ ~ A v₂, … A has two diagonals, and after a
+  // few steps it shows its largest eigenvalue. Each v is set against all before it, twice.
+  const Index n = A.rows();
+  std::vector<Vector> v{any_direction(n).normalized()};
+  Tridiagonal seen{{}, {0.0}};
+  double largest = -2.0 * static_cast<double>(n);  // none is beyond the sum of a row
+  int steady = 0;
+  while (steady < 8) {
+    Vector w = symmetric_product(A, v.back()) / size;
+    seen.d.push_back(w.dot(v.back()));
+    const double last = largest;
+    largest = seen.largest(-2.0 * static_cast<double>(n), 2.0 * static_cast<double>(n));
+    steady = largest <= last + 1e-16 * static_cast<double>(n) ? steady + 1 : 0;
+    for (int again = 0; again < 2; ++again) {
+      for (const Vector& before : v) w -= before.dot(w) * before;
+    }
+    const double length = w.norm();
+    if (static_cast<Index>(v.size()) == n || !(length > 1e-14)) break;  // it has seen all
+    seen.e.push_back(length);
+    v.push_back(w / length);
   }
-  return high * largest;
+  return largest * size;
 }
 
 void require_entries(const Vector& x, Eigen::Index size, const char* name) {

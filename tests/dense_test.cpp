@@ -33,7 +33,6 @@ const Matrix table{{7, 1, 1, -5}, {1, 7, -5, 1}, {1, -5, 7, 1}, {-5, 1, 1, 7}};
 TEST_CASE("Products and parts are what they say", "[dense]") {
   const Vector x = vector({1, 2, 3, -4});
   CHECK(common::product(table, x) == table * x);
-  CHECK(common::symmetric_product(table, x) == table * x);
   CHECK(common::row_product(table, 2, x) == (table * x)[2]);
   CHECK(common::entries(x, {3, 0}) == vector({-4, 1}));
   CHECK(common::entries(x, {}).size() == 0);

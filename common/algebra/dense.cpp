@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -52,38 +53,22 @@ Vector any_direction(Index n) {
 }  // namespace
 
 double row_product(const Matrix& A, int i, const Vector& x) {
-  std::array<double, 4> sums{};  // side by side, because one sum waits for each of its additions
+  // Eight sums side by side: one sum alone would wait for each of its additions.
+  constexpr Index beside = 8;
+  std::array<double, beside> sums{};
   Index k = 0;
-  for (; k + 4 <= x.size(); k += 4) {
-    for (Index j = 0; j < 4; ++j) sums[static_cast<std::size_t>(j)] += A(i, k + j) * x[k + j];
+  for (; k + beside <= x.size(); k += beside) {
+    for (Index j = 0; j < beside; ++j) {
+      sums[static_cast<std::size_t>(j)] += A(i, k + j) * x[k + j];
+    }
   }
   for (; k < x.size(); ++k) sums[0] += A(i, k) * x[k];
-  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 Vector product(const Matrix& A, const Vector& x) {
   Vector result(A.rows());
   for (int i = 0; i < A.rows(); ++i) result[i] = row_product(A, i, x);
-  return result;
-}
-
-Vector symmetric_product(const Matrix& A, const Vector& x) {
-  Vector result = Vector::Zero(A.rows());
-  for (Index i = 0; i < A.rows(); ++i) {
-    std::array<double, 4> sums{A(i, i) * x[i]};
-    Index k = i + 1;
-    for (; k + 4 <= x.size(); k += 4) {
-      for (Index j = 0; j < 4; ++j) {
-        sums[static_cast<std::size_t>(j)] += A(i, k + j) * x[k + j];
-        result[k + j] += A(i, k + j) * x[i];
-      }
-    }
-    for (; k < x.size(); ++k) {
-      sums[0] += A(i, k) * x[k];
-      result[k] += A(i, k) * x[i];
-    }
-    result[i] += (sums[0] + sums[1]) + (sums[2] + sums[3]);
-  }
   return result;
 }
 
@@ -128,7 +113,7 @@ double largest_eigenvalue(const Matrix& A) {
   double largest = -2.0 * static_cast<double>(n);  // none is beyond the sum of a row
   int steady = 0;
   while (steady < 8) {
-    Vector w = symmetric_product(A, v.back()) / size;
+    Vector w = product(A, v.back()) / size;
     seen.d.push_back(w.dot(v.back()));
     const double last = largest;
     largest = seen.largest(-2.0 * static_cast<double>(n), 2.0 * static_cast<double>(n));

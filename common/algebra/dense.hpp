@@ -14,9 +14,6 @@ using Vector = Eigen::VectorXd;
 
 /// A x.
 Vector product(const Matrix& A, const Vector& x);
-/// A x for a symmetric A. It reads the entries on the diagonal and right of it only, which takes
-/// half the time if A is large.
-Vector symmetric_product(const Matrix& A, const Vector& x);
 /// Row i of A, times x.
 double row_product(const Matrix& A, int i, const Vector& x);
 

@@ -144,8 +144,7 @@ Vector accelerated(const Matrix& A, const Vector& b, int steps) {
   // TODO step 7.8, eq. (13)
   // 1. Check the arguments.
   // 2. L is common::largest_eigenvalue(A). Begin with λ = y = 0 and s = 1.
-  // 3. A step down the slope from y, clamped at zero, is the next λ. In the slope A y + b,
-  //    common::symmetric_product(A, y) takes half the time of a product.
+  // 3. A step down the slope from y, clamped at zero, is the next λ.
   // 4. If it went uphill, the momentum is wrong: s = 1 forgets it.
   // 5. y goes on past the next λ, by (s − 1)/s' of the way from the last.
   throw common::NotImplemented("7.8 accelerated");

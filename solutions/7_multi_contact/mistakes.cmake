@@ -709,7 +709,7 @@ add_mutant(${lab} clamps_the_point_ahead 7.8
 
 # The slope is believed to be that of the impulses.
 add_mutant(${lab} slope_at_lambda 7.8
-  "common::symmetric_product(A, y) + b"
+  "common::product(A, y) + b"
   "common::product(A, lambda) + b"
   "the slope is taken at lambda")
 

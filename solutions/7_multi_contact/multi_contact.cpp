@@ -236,7 +236,7 @@ Vector accelerated(const Matrix& A, const Vector& b, int steps) {
   Vector y = lambda;
   double s = 1.0;
   for (int step = 0; step < steps; ++step) {  // eq. (13)
-    const Vector g = common::symmetric_product(A, y) + b;
+    const Vector g = common::product(A, y) + b;
     const Vector next = (y - g / L).cwiseMax(0.0);
     if (g.dot(next - lambda) > 0.0) s = 1.0;
     const double s_next = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * s * s));

@@ -124,7 +124,7 @@ double largest_eigenvalue(const Matrix& A) {
     const double length = w.norm();
     if (static_cast<Index>(v.size()) == n || !(length > 1e-14)) break;  // it has seen all
     seen.e.push_back(length);
-    v.push_back(w / length);
+    v.emplace_back(w / length);
   }
   return largest * size;
 }

@@ -27,7 +27,9 @@ struct Pair {
 void expect_meet(const Pair& pair, bool wanted, const std::string& story, int index, int count) {
   std::vector<std::array<Triangle, 2>> orders = tests::corner_orders(pair.a, pair.b);
   for (const auto& swapped : tests::corner_orders(pair.b, pair.a)) orders.push_back(swapped);
-  for (const auto& [a, b] : orders) {
+  for (const auto& order : orders) {
+    const Triangle& a = order[0];
+    const Triangle& b = order[1];
     const Trial trial =
         Trial("5.5 triangles_meet", index, count).given("a", code(a)).given("b", code(b));
     const bool got = trial.returned([&] { return triangles_meet(a, b); });

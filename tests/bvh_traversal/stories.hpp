@@ -18,8 +18,9 @@ inline const std::string rounded =
     "this is decided by rounding: take the exact sign of the determinant, common::orientation";
 
 /// All orders of the corners.
-inline std::vector<std::array<Triangle, 2>> corner_orders(Triangle a, Triangle b) {
-  std::vector<std::array<Triangle, 2>> orders;
+inline std::vector<std::array<common::Triangle, 2>> corner_orders(common::Triangle a,
+                                                                  common::Triangle b) {
+  std::vector<std::array<common::Triangle, 2>> orders;
   for (int order = 0; order < 36; ++order) {
     orders.push_back({a, b});
     std::swap(a[0], a[1]);
@@ -32,7 +33,8 @@ inline std::vector<std::array<Triangle, 2>> corner_orders(Triangle a, Triangle b
 
 /// What a story about a pair of triangles says is wrong in every order of their corners; an answer
 /// that is wrong in some orders only has another mistake.
-inline bool is_wrong_in_all_orders(const Triangle& a, const Triangle& b, bool wanted) {
+inline bool is_wrong_in_all_orders(const common::Triangle& a, const common::Triangle& b,
+                                   bool wanted) {
   const auto orders = corner_orders(a, b);
   return std::all_of(orders.begin(), orders.end(), [&](const auto& order) {
     return lab::triangles_meet(order[0], order[1]) != wanted;

@@ -166,7 +166,7 @@ function(_add_batch answer right folder)
   set(batch ${name}_mistakes_in_${answer}_${number})
   add_library(${batch} OBJECT "${out}/batch_${number}.cpp")
   target_link_libraries(${batch} PRIVATE ${name}_contract answer_flags)
-  target_compile_options(${batch} PRIVATE -w -ffunction-sections)
+  target_compile_options(${batch} PRIVATE -w -ffunction-sections)  # a mistake may be worth a warning
   target_precompile_headers(${batch} REUSE_FROM precompiled)
   file(GLOB mistakes RELATIVE "${folder}" "${folder}/*.cpp")
   list(TRANSFORM mistakes REPLACE "[.]cpp$" "")

@@ -49,8 +49,9 @@ inline void pour(std::vector<RigidBody>& bodies, std::mt19937& engine, double ti
 
 inline constexpr double most_outwards = 1.0;  ///< speed at which overlaps are moved out [m/s]
 
-/// All contacts that may close within a step: impulses make no ball faster than the fastest one,
-/// except to move it out.
+/// All contacts that may close within a step, if no ball becomes faster than the fastest one or
+/// than what is moved out. Others may squeeze a ball out faster; then the next step sees its
+/// contacts.
 inline std::vector<NearContact> near_contacts(const std::vector<RigidBody>& bodies) {
   double fastest = most_outwards;
   for (const RigidBody& body : bodies) grow(fastest, body.velocity.norm());

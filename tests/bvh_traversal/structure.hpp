@@ -255,7 +255,7 @@ void expect_refusals(const std::string& step, const Build& build) {
   int index = 0;
   for (const Case& c : cases) {
     Trial(step, ++index, static_cast<int>(cases.size()))
-        .given("mesh", Code{c.leaf_size == 4 ? c.why : "three corners and one triangle"})
+        .given("what is wrong", Code{c.why})
         .given("leaf_size", static_cast<double>(c.leaf_size))
         .expect_throw([&] { return Tree{build(c.mesh, c.leaf_size)}; }, c.why);
   }

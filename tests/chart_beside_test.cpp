@@ -1,24 +1,15 @@
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 
 #include "catch.hpp"
 #include "render/chart/chart.hpp"
 #include "render/chart/chart_beside.hpp"
+#include "render_picture.hpp"
 
 namespace fs = std::filesystem;
 using namespace render;
 
 namespace {
-
-struct TemporaryFolder {
-  fs::path path = fs::temp_directory_path() / ("chart_beside_test." + std::to_string(getpid()));
-  TemporaryFolder() { fs::create_directories(path); }
-  ~TemporaryFolder() { fs::remove_all(path); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-};
 
 /// Two methods with points at 1, 2 and 4, which take `factor` times as long.
 Chart chart_of(double slow_factor, double quick_factor) {
@@ -40,10 +31,10 @@ void write(const fs::path& path, const std::string& text) { std::ofstream(path) 
 }  // namespace
 
 TEST_CASE("Methods of another answer are drawn if they took another time") {
-  const TemporaryFolder folder;
-  write(folder.path / "chart.csv", chart_csv(chart_of(2.0, 1.2)));
+  const tests::ScratchFolder folder;
+  write(folder.path() / "chart.csv", chart_csv(chart_of(2.0, 1.2)));
   Chart chart = chart_of(1.0, 1.0);
-  draw_beside(chart, "by_other", folder.path);
+  draw_beside(chart, "by_other", folder.path());
   REQUIRE(chart.series.size() == 3);
   const ChartSeries& other = chart.series[1];
   CHECK(other.method == "slow, as \"they\" say, by_other");
@@ -56,23 +47,23 @@ TEST_CASE("Methods of another answer are drawn if they took another time") {
 }
 
 TEST_CASE("A chart that the other answer has not measured stays as it is") {
-  const TemporaryFolder folder;
+  const tests::ScratchFolder folder;
   Chart chart = chart_of(1.0, 1.0);
-  draw_beside(chart, "by_other", folder.path);
+  draw_beside(chart, "by_other", folder.path());
   CHECK(chart.series.size() == 2);
   CHECK(chart.note.empty());
 }
 
 TEST_CASE("A measurement that is cut off or spoilt is refused by its line") {
-  const TemporaryFolder folder;
+  const tests::ScratchFolder folder;
   const std::string good = chart_csv(chart_of(2.0, 2.0));
   for (const std::string& bad :
        {good + "9_example,quick,8\n", good + "9_example,quick,8,x,rad,1,turn,10,ok\n"}) {
-    write(folder.path / "chart.csv", bad);
+    write(folder.path() / "chart.csv", bad);
     Chart chart = chart_of(1.0, 1.0);
     std::string message;
     try {
-      draw_beside(chart, "by_other", folder.path);
+      draw_beside(chart, "by_other", folder.path());
     } catch (const std::runtime_error& error) {
       message = error.what();
     }

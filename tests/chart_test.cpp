@@ -1,7 +1,3 @@
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#include <stb_image.h>
-
 #include <cmath>
 #include <ctime>
 #include <filesystem>
@@ -14,24 +10,15 @@
 #include "render/chart/chart_folder.hpp"
 #include "render/chart/chart_program.hpp"
 #include "render/chart/measure.hpp"
+#include "render_picture.hpp"
 
 namespace fs = std::filesystem;
 using namespace render;
+using tests::content;
+using tests::has_gnuplot;
+using tests::message_of;
 
 namespace {
-
-struct TemporaryFolder {
-  fs::path path = fs::temp_directory_path() / ("chart_test." + std::to_string(getpid()));
-  TemporaryFolder() { fs::create_directories(path); }
-  ~TemporaryFolder() { fs::remove_all(path); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-};
-
-std::string content(const fs::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
 
 /// Three methods: one of order two, one that fails at its first point, one that is not written.
 Chart sample() {
@@ -60,19 +47,6 @@ Chart sample() {
 bool write_chart(const Chart& chart, const fs::path& folder) {
   return write_charts({{chart}, {}}, folder);
 }
-
-/// What `call` throws, or nothing.
-template <typename Call>
-std::string message_of(const Call& call) {
-  try {
-    call();
-    return "";
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-}
-
-bool has_gnuplot() { return std::system("command -v gnuplot > /dev/null") == 0; }
 
 }  // namespace
 
@@ -111,24 +85,18 @@ TEST_CASE("Long labels are never cut off at the edge", "[chart]") {
   }
   Chart chart = sample();
   chart.series[0].method = "WWWW, a method whose name is as long as names may get";
-  const TemporaryFolder folder;
-  REQUIRE(write_chart(chart, folder.path / "chart"));
-  int width = 0;
-  int height = 0;
-  int channels = 0;
-  stbi_uc* pixels =
-      stbi_load((folder.path / "chart/chart.png").c_str(), &width, &height, &channels, 3);
-  REQUIRE(pixels != nullptr);
+  const tests::ScratchFolder folder;
+  REQUIRE(write_chart(chart, folder.path() / "chart"));
+  const Image picture = tests::read_png(folder.path() / "chart/chart.png");
   int inked_at_edge = 0;
   int inked_labels = 0;
-  for (int y = 0; y < height; ++y) {
-    for (int x = width / 2; x < width; ++x) {
-      const stbi_uc* pixel = pixels + 3 * (static_cast<std::ptrdiff_t>(y) * width + x);
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = picture.width / 2; x < picture.width; ++x) {
+      const std::uint8_t* pixel = tests::pixel_at(picture, x, y);
       const bool inked = pixel[0] < 200 && pixel[2] > 100;  // blue, as the label is
-      if (inked) ++(x >= width - 8 ? inked_at_edge : inked_labels);
+      if (inked) ++(x >= picture.width - 8 ? inked_at_edge : inked_labels);
     }
   }
-  stbi_image_free(pixels);
   CHECK(inked_at_edge == 0);
   CHECK(inked_labels > 500);
 }
@@ -140,65 +108,65 @@ TEST_CASE("Errors of zero and without limit stand at the edges and are drawn", "
     point.error = 1e300;
     point.status = Status::unstable;
   }
-  const TemporaryFolder folder;
-  CHECK(write_chart(chart, folder.path / "chart") == has_gnuplot());
-  CHECK(message_of([&] { write_chart(chart, folder.path / "chart"); }).empty());
+  const tests::ScratchFolder folder;
+  CHECK(write_chart(chart, folder.path() / "chart") == has_gnuplot());
+  CHECK(message_of([&] { write_chart(chart, folder.path() / "chart"); }).empty());
 }
 
 TEST_CASE("A chart is drawn for the page and for print and as PDF", "[chart]") {
-  const TemporaryFolder folder;
-  const bool drawn = write_chart(sample(), folder.path / "chart");
+  const tests::ScratchFolder folder;
+  const bool drawn = write_chart(sample(), folder.path() / "chart");
   for (const char* const file : {"chart.svg", "chart.png", "chart.pdf"}) {
-    CHECK(fs::exists(folder.path / "chart" / file) == drawn);
+    CHECK(fs::exists(folder.path() / "chart" / file) == drawn);
   }
 }
 
 TEST_CASE("What was measured is kept where gnuplot cannot draw", "[chart]") {
-  const TemporaryFolder folder;
-  fs::create_directories(folder.path / "bin");
-  std::ofstream(folder.path / "bin/gnuplot") << "#!/bin/sh\necho line 7: unknown or ambiguous "
-                                                "terminal type >&2\ntouch chart.png\nexit 1\n";
-  fs::permissions(folder.path / "bin/gnuplot", fs::perms::owner_all);
+  const tests::ScratchFolder folder;
+  fs::create_directories(folder.path() / "bin");
+  std::ofstream(folder.path() / "bin/gnuplot") << "#!/bin/sh\necho line 7: unknown or ambiguous "
+                                                  "terminal type >&2\ntouch chart.png\nexit 1\n";
+  fs::permissions(folder.path() / "bin/gnuplot", fs::perms::owner_all);
   const std::string path = std::getenv("PATH");
-  setenv("PATH", ((folder.path / "bin").string() + ":" + path).c_str(), 1);
-  const std::string said = message_of([&] { write_chart(sample(), folder.path / "chart"); });
+  setenv("PATH", ((folder.path() / "bin").string() + ":" + path).c_str(), 1);
+  const std::string said = message_of([&] { write_chart(sample(), folder.path() / "chart"); });
   setenv("PATH", path.c_str(), 1);
-  CHECK(said == "gnuplot could not draw " + (folder.path / "chart/chart.gp").string() +
+  CHECK(said == "gnuplot could not draw " + (folder.path() / "chart/chart.gp").string() +
                     ": line 7: unknown or ambiguous terminal type");
   for (const char* const file : {"chart.csv", "chart.gp", "charts.txt"}) {
-    CHECK(fs::file_size(folder.path / "chart" / file) > 0);
+    CHECK(fs::file_size(folder.path() / "chart" / file) > 0);
   }
-  CHECK(!fs::exists(folder.path / "chart/chart.png"));
+  CHECK(!fs::exists(folder.path() / "chart/chart.png"));
 }
 
 TEST_CASE("A folder that cannot be written is one error and leaves nothing", "[chart]") {
-  const TemporaryFolder folder;
-  std::ofstream(folder.path / "file") << "in the way";
-  for (const fs::path& target : {folder.path / "file" / "chart", folder.path / "file"}) {
+  const tests::ScratchFolder folder;
+  std::ofstream(folder.path() / "file") << "in the way";
+  for (const fs::path& target : {folder.path() / "file" / "chart", folder.path() / "file"}) {
     CHECK(message_of([&] {
             write_chart(sample(), target);
           }).rfind("cannot write " + target.string() + ": ", 0) == 0);
   }
-  CHECK(content(folder.path / "file") == "in the way");
-  CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 1);
+  CHECK(content(folder.path() / "file") == "in the way");
+  CHECK(tests::files_in(folder.path()) == 1);
 }
 
 TEST_CASE("A second chart takes the place of the first", "[chart]") {
-  const TemporaryFolder folder;
-  write_chart(sample(), folder.path / "chart");
-  std::ofstream(folder.path / "chart/chart.csv") << "old";
-  write_chart(sample(), folder.path / "chart");
-  CHECK(content(folder.path / "chart/chart.csv") == chart_csv(sample()));
-  CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 1);
+  const tests::ScratchFolder folder;
+  write_chart(sample(), folder.path() / "chart");
+  std::ofstream(folder.path() / "chart/chart.csv") << "old";
+  write_chart(sample(), folder.path() / "chart");
+  CHECK(content(folder.path() / "chart/chart.csv") == chart_csv(sample()));
+  CHECK(tests::files_in(folder.path()) == 1);
 }
 
 TEST_CASE("A folder that holds something else is left alone", "[chart]") {
-  const TemporaryFolder folder;
-  std::ofstream(folder.path / "thesis.tex") << "months of work";
-  CHECK(message_of([&] { write_chart(sample(), folder.path); }).find("thesis.tex") !=
+  const tests::ScratchFolder folder;
+  std::ofstream(folder.path() / "thesis.tex") << "months of work";
+  CHECK(message_of([&] { write_chart(sample(), folder.path()); }).find("thesis.tex") !=
         std::string::npos);
-  CHECK(content(folder.path / "thesis.tex") == "months of work");
-  CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 1);
+  CHECK(content(folder.path() / "thesis.tex") == "months of work");
+  CHECK(tests::files_in(folder.path()) == 1);
 }
 
 TEST_CASE("A method that is not written becomes a series without points", "[chart]") {
@@ -261,23 +229,23 @@ TEST_CASE("A brief measurement ends a ladder at its first long run", "[chart]") 
 }
 
 TEST_CASE("A short chart says that it is short and how to get the full one", "[chart]") {
-  const TemporaryFolder folder;
+  const tests::ScratchFolder folder;
   int runs_of_full = 0;
-  const std::string full = script_of({}, folder.path, runs_of_full);
+  const std::string full = script_of({}, folder.path(), runs_of_full);
   REQUIRE(!full.empty());
   CHECK(full.find("short measurement") == std::string::npos);
   int runs = 0;
-  const std::string brief = script_of({"--short"}, folder.path, runs);
+  const std::string brief = script_of({"--short"}, folder.path(), runs);
   CHECK(brief.find("short measurement") != std::string::npos);
   CHECK(brief.find("./tumble chart 9") != std::string::npos);
   CHECK(runs < runs_of_full);
 }
 
 TEST_CASE("A chart program refuses words that it does not know", "[chart]") {
-  const TemporaryFolder folder;
+  const tests::ScratchFolder folder;
   int runs = 0;
   for (const char* word : {"--shorter", "--peers", "short"}) {
-    CHECK(script_of({word}, folder.path, runs).empty());
+    CHECK(script_of({word}, folder.path(), runs).empty());
   }
   CHECK(runs == 0);
 }

@@ -16,7 +16,7 @@ using common::Vector;
 
 namespace {
 
-Vector vector(const std::vector<double>& values) {
+Vector entries(const std::vector<double>& values) {
   return Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
@@ -26,25 +26,25 @@ Matrix random_matrix(tests::Random& random, int rows, int cols) {
   return J;
 }
 
-const Matrix table{{7, 1, 1, -5}, {1, 7, -5, 1}, {1, -5, 7, 1}, {-5, 1, 1, 7}};
+const Matrix of_table{{7, 1, 1, -5}, {1, 7, -5, 1}, {1, -5, 7, 1}, {-5, 1, 1, 7}};
 
 }  // namespace
 
 TEST_CASE("Products and parts are what they say", "[dense]") {
-  const Vector x = vector({1, 2, 3, -4});
-  CHECK(common::product(table, x) == table * x);
-  CHECK(common::row_product(table, 2, x) == (table * x)[2]);
-  CHECK(common::entries(x, {3, 0}) == vector({-4, 1}));
+  const Vector x = entries({1, 2, 3, -4});
+  CHECK(common::product(of_table, x) == of_table * x);
+  CHECK(common::row_product(of_table, 2, x) == (of_table * x)[2]);
+  CHECK(common::entries(x, {3, 0}) == entries({-4, 1}));
   CHECK(common::entries(x, {}).size() == 0);
-  CHECK(common::spread(vector({-4, 1}), {3, 0}, 4) == vector({1, 0, 0, -4}));
-  CHECK(common::block(table, {3, 0}) == Matrix{{7, -5}, {-5, 7}});
-  CHECK(common::block(table, {}).size() == 0);
+  CHECK(common::spread(entries({-4, 1}), {3, 0}, 4) == entries({1, 0, 0, -4}));
+  CHECK(common::block(of_table, {3, 0}) == Matrix{{7, -5}, {-5, 7}});
+  CHECK(common::block(of_table, {}).size() == 0);
   CHECK(common::largest_entry(x) == 4.0);
   CHECK(common::largest_entry(Vector(0)) == 0.0);
 }
 
 TEST_CASE("The largest eigenvalue is that of other solvers", "[dense]") {
-  CHECK(std::abs(largest_eigenvalue(table) - 12.0) < 1e-13);
+  CHECK(std::abs(largest_eigenvalue(of_table) - 12.0) < 1e-13);
   CHECK(largest_eigenvalue(Matrix(0, 0)) == 0.0);
   CHECK(largest_eigenvalue(Matrix::Zero(3, 3)) == 0.0);
   CHECK(std::abs(largest_eigenvalue(Matrix::Identity(5, 5)) - 1.0) < 1e-14);
@@ -78,14 +78,14 @@ TEST_CASE("A column has the largest eigenvalue that is known", "[dense]") {
 
 TEST_CASE("What has another size or is not finite is refused", "[dense]") {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const Vector x = vector({1, 2});
+  const Vector x = entries({1, 2});
   const Matrix A = Matrix::Identity(2, 2);
   CHECK_NOTHROW(common::require_entries(x, 2, "x"));
   CHECK_THROWS_AS(common::require_entries(x, 3, "x"), std::invalid_argument);
-  CHECK_THROWS_AS(common::require_entries(vector({1, nan}), 2, "x"), std::invalid_argument);
+  CHECK_THROWS_AS(common::require_entries(entries({1, nan}), 2, "x"), std::invalid_argument);
   CHECK_NOTHROW(common::require_system(A, x, x));
   CHECK_NOTHROW(common::require_system(Matrix(0, 0), Vector(0), Vector(0)));
-  CHECK_THROWS_AS(common::require_system(A, x, vector({1})), std::invalid_argument);
-  CHECK_THROWS_AS(common::require_system(A, x, vector({1, HUGE_VAL})), std::invalid_argument);
+  CHECK_THROWS_AS(common::require_system(A, x, entries({1})), std::invalid_argument);
+  CHECK_THROWS_AS(common::require_system(A, x, entries({1, HUGE_VAL})), std::invalid_argument);
   CHECK_THROWS_AS(common::require_system(Matrix(0, 1), Vector(0)), std::invalid_argument);
 }

@@ -1,6 +1,6 @@
 # Tests of hand-out and grading. A stand-in for the judge proves all code around it within seconds.
 function(add_grading_test name part)
-  add_kit_script(grading "${name}" Python3::Interpreter -B
+  add_kit_script(grading "${name}" "${python}" -B
     "${CMAKE_CURRENT_SOURCE_DIR}/grading_test.py" ${part})
   set_tests_properties("kit/grading/${name}" PROPERTIES
     SKIP_REGULAR_EXPRESSION "OK .skipped=" ${ARGN})

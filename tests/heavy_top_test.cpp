@@ -32,9 +32,9 @@ double error_of(const HeavyTop& heavy_top, const Spin& start, double time) {
 }
 
 /// Some 50 roundings, relative to 60 rad of turning: 50 * 60 * eps / 2.
-constexpr double few_turns = 4e-13;
+constexpr double few_turns_of_top = 4e-13;
 
-double worst_of_random(std::uint64_t seed) {
+double worst_top(std::uint64_t seed) {
   tests::Random random(seed);
   double worst = 0.0;
   for (int i = 0; i < 150; ++i) {
@@ -58,17 +58,17 @@ double steady_precession(double tilt, double spin, bool fast) {
 }  // namespace
 
 TEST_CASE("Random tops move as the series says - first 150", "[heavy_top]") {
-  CHECK(worst_of_random(31) < few_turns);
+  CHECK(worst_top(31) < few_turns_of_top);
 }
 TEST_CASE("Random tops move as the series says - second 150", "[heavy_top]") {
-  CHECK(worst_of_random(32) < few_turns);
+  CHECK(worst_top(32) < few_turns_of_top);
 }
 
 TEST_CASE("A top released at rest follows its cusps for fifty turns of spin", "[heavy_top]") {
   const Spin start{tilted(std::numbers::pi / 6.0), Vec3(0.0, 0.0, 30.0)};
   CHECK(error_of(top, start, 0.0) < 1e-15);
   CHECK(error_of(top, start, 10.472) < 4e-13);  // 314 rad
-  CHECK(error_of(top, start, -1.0) < few_turns);
+  CHECK(error_of(top, start, -1.0) < few_turns_of_top);
 }
 
 TEST_CASE("A top in steady precession keeps its tilt", "[heavy_top]") {
@@ -77,7 +77,7 @@ TEST_CASE("A top in steady precession keeps its tilt", "[heavy_top]") {
       const double rate = steady_precession(tilt, 20.0, fast);
       for (const double nudge : {0.0, 1e-14, 1e-8, 1e-3}) {
         const Spin start{tilted(tilt), Vec3(nudge, rate * std::sin(tilt), 20.0)};
-        CHECK(error_of(top, start, 2.0) < few_turns);
+        CHECK(error_of(top, start, 2.0) < few_turns_of_top);
       }
       const Spin start{tilted(tilt), Vec3(0.0, rate * std::sin(tilt), 20.0)};
       const Spin later = LagrangeTop(top, start).at(2.0);
@@ -96,7 +96,7 @@ TEST_CASE("A top without spin is a spherical pendulum", "[heavy_top]") {
   for (int i = 0; i < 20; ++i) {
     Spin start{tilted(random.uniform(0.5, 3.0), random.uniform(0.0, 6.0)), random.vector(5.0)};
     start.angular_velocity_body.z() = 0.0;
-    CHECK(error_of(top, start, 3.0) < few_turns);
+    CHECK(error_of(top, start, 3.0) < few_turns_of_top);
   }
 }
 
@@ -105,11 +105,11 @@ TEST_CASE("A top that passes near the vertical loses no more than the tilt expla
   for (const double tilt : {1e-1, 1e-2, 1e-3}) {
     for (const double spin : {5.0, 13.0, 15.0, 40.0}) {
       const Spin released{tilted(tilt, 1.0), Vec3(0.0, 0.0, spin)};
-      CHECK(error_of(top, released, 2.0) < few_turns);
+      CHECK(error_of(top, released, 2.0) < few_turns_of_top);
       const Spin thrown{tilted(tilt, 1.0), Vec3(0.1, -0.5, spin)};
-      CHECK(error_of(top, thrown, 2.0) < few_turns + 2e-14 / tilt);
+      CHECK(error_of(top, thrown, 2.0) < few_turns_of_top + 2e-14 / tilt);
       const Spin hanging{tilted(std::numbers::pi - tilt, 1.0), Vec3(0.1, -0.5, spin)};
-      CHECK(error_of(top, hanging, 2.0) < few_turns);
+      CHECK(error_of(top, hanging, 2.0) < few_turns_of_top);
     }
   }
 }

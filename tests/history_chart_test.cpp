@@ -1,7 +1,3 @@
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#include <stb_image.h>
-
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -14,24 +10,15 @@
 #include "render/chart/history_chart_axes.hpp"
 #include "render/chart/label_layout.hpp"
 #include "render/chart/record.hpp"
+#include "render_picture.hpp"
 
 namespace fs = std::filesystem;
 using namespace render;
+using tests::content;
+using tests::has_gnuplot;
+using tests::message_of;
 
 namespace {
-
-struct TemporaryFolder {
-  fs::path path = fs::temp_directory_path() / ("history_test." + std::to_string(getpid()));
-  TemporaryFolder() { fs::create_directories(path); }
-  ~TemporaryFolder() { fs::remove_all(path); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-};
-
-std::string content(const fs::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
 
 HistoryMethod method(const std::string& name, const Colour& colour, int count, const char* end) {
   return {name, colour, [=] {
@@ -46,7 +33,7 @@ HistoryMethod method(const std::string& name, const Colour& colour, int count, c
 }
 
 /// Two quantities of three methods: one that lasts, one that blows up, one that is not written.
-HistoryChart sample() {
+HistoryChart history_sample() {
   HistoryChart chart;
   chart.lab = "9_example";
   chart.title = "A title with an unpaired { brace and 'quotes'";
@@ -58,42 +45,24 @@ HistoryChart sample() {
                           method("short", palette::vermilion, 5, "blew up"), unwritten});
 }
 
-/// What `call` throws, or nothing.
-template <typename Call>
-std::string message_of(const Call& call) {
-  try {
-    call();
-    return "";
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-}
-
-bool has_gnuplot() { return std::system("command -v gnuplot > /dev/null") == 0; }
-
 /// Pixels at which `is_inked(red, green, blue)`, right of `from` of the width.
 template <typename IsInked>
-int count_pixels(const fs::path& picture, double from, const IsInked& is_inked) {
-  int width = 0;
-  int height = 0;
-  int channels = 0;
-  stbi_uc* pixels = stbi_load(picture.c_str(), &width, &height, &channels, 3);
-  REQUIRE(pixels != nullptr);
+int count_pixels(const fs::path& path, double from, const IsInked& is_inked) {
+  const Image picture = tests::read_png(path);
   int count = 0;
-  for (int y = 0; y < height; ++y) {
-    for (int x = static_cast<int>(from * width); x < width; ++x) {
-      const stbi_uc* pixel = pixels + 3 * (static_cast<std::ptrdiff_t>(y) * width + x);
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = static_cast<int>(from * picture.width); x < picture.width; ++x) {
+      const std::uint8_t* pixel = tests::pixel_at(picture, x, y);
       count += is_inked(pixel[0], pixel[1], pixel[2]) ? 1 : 0;
     }
   }
-  stbi_image_free(pixels);
   return count;
 }
 
 }  // namespace
 
 TEST_CASE("The CSV has a row a moment and one a quantity that is not written", "[history]") {
-  const std::string csv = history_csv(sample());
+  const std::string csv = history_csv(history_sample());
   CHECK(std::count(csv.begin(), csv.end(), '\n') == 1 + 2 * (9 + 5 + 1));
   CHECK(csv.rfind("lab,method,quantity,time,value,unit\n", 0) == 0);
   CHECK(csv.find("\n9_example,short,energy,4,2,J\n") != std::string::npos);
@@ -102,9 +71,9 @@ TEST_CASE("The CSV has a row a moment and one a quantity that is not written", "
 }
 
 TEST_CASE("The script says what ends early and what is not written", "[history]") {
-  const std::string script = history_script(sample());
+  const std::string script = history_script(history_sample());
   CHECK(script.find("short: blew up at 4 s") != std::string::npos);
-  HistoryChart alone = sample();
+  HistoryChart alone = history_sample();
   for (HistoryPanel& panel : alone.panels) panel.curves.erase(panel.curves.begin());
   CHECK(history_script(alone).find("short: blew up at 4 s") != std::string::npos);
   CHECK(script.find("'lasting } on'") != std::string::npos);
@@ -112,13 +81,13 @@ TEST_CASE("The script says what ends early and what is not written", "[history]"
 }
 
 TEST_CASE("A history is drawn whole with its labels inside", "[history]") {
-  const TemporaryFolder folder;
-  HistoryChart chart = sample();
+  const tests::ScratchFolder folder;
+  HistoryChart chart = history_sample();
   for (HistoryPanel& panel : chart.panels) {
     panel.curves[0].method = "WWWW, a method whose name is as long as names may get";
   }
-  CHECK(write_charts({{}, {chart}}, folder.path / "chart") == has_gnuplot());
-  CHECK(content(folder.path / "chart/history.csv") == history_csv(chart));
+  CHECK(write_charts({{}, {chart}}, folder.path() / "chart") == has_gnuplot());
+  CHECK(content(folder.path() / "chart/history.csv") == history_csv(chart));
   if (!has_gnuplot()) {
     WARN("gnuplot is not installed");
     return;
@@ -126,26 +95,26 @@ TEST_CASE("A history is drawn whole with its labels inside", "[history]") {
   const auto is_ink = [](int red, int green, int blue) { return red + green + blue < 600; };
   const auto is_blue = [](int red, int, int blue) { return red < 60 && blue > 120; };
   const auto is_red = [](int red, int, int blue) { return red > 180 && blue < 60; };
-  const fs::path picture = folder.path / "chart/history.png";
+  const fs::path picture = folder.path() / "chart/history.png";
   CHECK(count_pixels(picture, 0.995, is_ink) == 0);
   CHECK(count_pixels(picture, 0.4, is_blue) > 1000);
   CHECK(count_pixels(picture, 0.4, is_red) > 300);
 }
 
 TEST_CASE("Curves far beyond the axis and constant ones are drawn", "[history]") {
-  HistoryChart chart = sample();
+  HistoryChart chart = history_sample();
   chart.panels[0].low = 0.5;
   chart.panels[0].high = 1.5;
   for (double& value : chart.panels[0].curves[1].values) value = value > 1.5 ? 1e300 : value;
   for (double& value : chart.panels[1].curves[0].values) value = 0.0;
   for (double& value : chart.panels[1].curves[1].values) value = 0.0;
-  const TemporaryFolder folder;
-  CHECK(message_of([&] { write_charts({{}, {chart}}, folder.path / "chart"); }).empty());
+  const tests::ScratchFolder folder;
+  CHECK(message_of([&] { write_charts({{}, {chart}}, folder.path() / "chart"); }).empty());
 }
 
 TEST_CASE("A history that cannot be drawn is refused with the place", "[history]") {
   const auto refusal = [](const auto& spoil) {
-    HistoryChart chart = sample();
+    HistoryChart chart = history_sample();
     spoil(chart);
     return message_of([&] { history_script(chart); });
   };
@@ -168,7 +137,7 @@ TEST_CASE("A history that cannot be drawn is refused with the place", "[history]
 }
 
 TEST_CASE("A method must give a value for every panel", "[history]") {
-  HistoryChart chart = sample();
+  HistoryChart chart = history_sample();
   chart.panels.pop_back();
   CHECK(message_of([&] { recorded(chart, {method("short", palette::blue, 3, "")}); }) ==
         "chart history: 'short' gives 2 quantities for 1 panels");
@@ -190,7 +159,7 @@ TEST_CASE("Thinning keeps the peaks and the ends", "[history]") {
 }
 
 TEST_CASE("The time axis goes on to a tic that is near", "[history]") {
-  HistoryChart chart = sample();
+  HistoryChart chart = history_sample();
   chart.panels.resize(1);
   chart.panels[0].curves.resize(1);
   chart.panels[0].curves[0].times = {1.0 / 60.0, 599.5};
@@ -210,31 +179,31 @@ TEST_CASE("Labels keep their distance and stay near", "[history]") {
 }
 
 TEST_CASE("Several charts share one folder and its index", "[history]") {
-  const TemporaryFolder folder;
+  const tests::ScratchFolder folder;
   Chart errors;
   errors.name = "racket";
   errors.title = "Tennis\tracket";
   errors.series = {{"good", 1.0, palette::blue, {{1.0, 0.1, 1e-6, 1.0, Status::ok}}, ""}};
-  write_charts({{errors}, {sample()}}, folder.path / "chart");
-  CHECK(content(folder.path / "chart/charts.txt") ==
+  write_charts({{errors}, {history_sample()}}, folder.path() / "chart");
+  CHECK(content(folder.path() / "chart/charts.txt") ==
         "racket\tTennis racket\nhistory\tA title with an unpaired { brace and 'quotes'\n");
-  CHECK(fs::exists(folder.path / "chart/racket.gp"));
+  CHECK(fs::exists(folder.path() / "chart/racket.gp"));
   errors.name = "top";
-  write_charts({{errors}, {}}, folder.path / "chart");
-  CHECK(fs::exists(folder.path / "chart/top.csv"));
-  CHECK_FALSE(fs::exists(folder.path / "chart/racket.csv"));
-  CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 1);
+  write_charts({{errors}, {}}, folder.path() / "chart");
+  CHECK(fs::exists(folder.path() / "chart/top.csv"));
+  CHECK_FALSE(fs::exists(folder.path() / "chart/racket.csv"));
+  CHECK(tests::files_in(folder.path()) == 1);
 }
 
 TEST_CASE("Names of charts are file names and differ", "[history]") {
-  const TemporaryFolder folder;
-  HistoryChart chart = sample();
+  const tests::ScratchFolder folder;
+  HistoryChart chart = history_sample();
   CHECK(message_of([&] {
-          write_charts({{}, {chart, chart}}, folder.path / "chart");
+          write_charts({{}, {chart, chart}}, folder.path() / "chart");
         }) == "two charts have the name history");
   chart.name = "../away";
   CHECK(message_of([&] {
-          write_charts({{}, {chart}}, folder.path / "chart");
+          write_charts({{}, {chart}}, folder.path() / "chart");
         }).find("../away") != std::string::npos);
-  CHECK(fs::is_empty(folder.path));
+  CHECK(fs::is_empty(folder.path()));
 }

@@ -59,14 +59,19 @@ class OnlyAffected(unittest.TestCase):
         self.assertEqual(names(RIGHT), {"helper", "other_helper", "third_helper", "turned", "spin",
                                         "counted"})
 
-    def test_what_names_the_edited_function_and_what_it_needs_is_kept(self) -> None:
-        self.assertEqual(self.after("return 0.0;", "return 1.0;"), {"turned", "spin", "helper"})
+    def test_the_edited_function_and_what_it_needs_is_kept(self) -> None:
+        self.assertEqual(self.after("return 0.0;", "return 1.0;"), {"turned", "helper"})
         self.assertEqual(self.after("x + i", "x - i"),
                          {"third_helper", "counted", "other_helper", "helper"})
 
     def test_an_edited_helper_keeps_all_that_rests_on_it(self) -> None:
         self.assertEqual(self.after("x * half", "x / half"),
-                         {"helper", "other_helper", "third_helper", "turned", "spin", "counted"})
+                         {"helper", "other_helper", "third_helper", "turned", "counted"})
+
+    def test_what_is_compiled_into_its_callers_keeps_them(self) -> None:
+        right = RIGHT.replace("double turned(", "inline double turned(")
+        kept = only_affected(right, right.replace("return 0.0;", "return 1.0;"))
+        self.assertEqual(names(kept), {"turned", "spin", "helper"})
 
     def test_an_edit_between_functions_keeps_the_file(self) -> None:
         wrong = RIGHT.replace("= 0.5", "= 0.25")

@@ -6,21 +6,21 @@
 #include "random.hpp"
 
 using namespace common;
-using Exact = boost::multiprecision::cpp_rational;
+using Rational = boost::multiprecision::cpp_rational;
 
 namespace {
 
-int sign_of(const Exact& value) { return value.sign(); }
+int sign_of(const Rational& value) { return value.sign(); }
 
 int exact(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const auto x = [&](const Vec3& p, Eigen::Index i) { return Exact(p[i]) - Exact(a[i]); };
+  const auto x = [&](const Vec3& p, Eigen::Index i) { return Rational(p[i]) - Rational(a[i]); };
   return sign_of((x(b, 1) * x(c, 2) - x(b, 2) * x(c, 1)) * x(d, 0) +
                  (x(b, 2) * x(c, 0) - x(b, 0) * x(c, 2)) * x(d, 1) +
                  (x(b, 0) * x(c, 1) - x(b, 1) * x(c, 0)) * x(d, 2));
 }
 
 int exact(const Vec2& a, const Vec2& b, const Vec2& c) {
-  const auto x = [&](const Vec2& p, Eigen::Index i) { return Exact(p[i]) - Exact(a[i]); };
+  const auto x = [&](const Vec2& p, Eigen::Index i) { return Rational(p[i]) - Rational(a[i]); };
   return sign_of(x(b, 0) * x(c, 1) - x(b, 1) * x(c, 0));
 }
 

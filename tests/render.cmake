@@ -1,22 +1,16 @@
 # Tests of the renderer, its timings, and its gallery for the eye.
 #   render_gallery     draws a large picture of everything: build/…/gallery.png
 #   render_benchmark   is a program, see its head
-add_library(render_picture STATIC render_picture.cpp render_stb_image.cpp)
-target_include_directories(render_picture SYSTEM PRIVATE "${STB_INCLUDE_DIR}")
-target_link_libraries(render_picture PUBLIC render_image PRIVATE project_flags)
-add_kit_test(render_image render_image render_picture)
-
 if(TARGET render_scene)
   add_library(render_gallery_scene STATIC render_gallery.cpp)
   target_link_libraries(render_gallery_scene PUBLIC render_scene PRIVATE project_flags)
-  add_kit_test(render_scene render_scene render_gallery_scene render_picture)
-  add_kit_test(render_camera render_scene)
-  add_kit_test(render_film render_scene render_picture)
+  add_kit_tests(render_scene "render_scene;render_camera;render_film" render_scene
+    render_gallery_scene render_picture)
 
   add_executable(render_gallery_program render_gallery_program.cpp)
   target_link_libraries(render_gallery_program PRIVATE render_gallery_scene project_flags)
   add_kit_script(render_determinism "threads and backends change no byte"
-    Python3::Interpreter -B "${CMAKE_CURRENT_LIST_DIR}/render_determinism_test.py"
+    "${python}" -B "${CMAKE_CURRENT_LIST_DIR}/render_determinism_test.py"
     "$<TARGET_FILE:render_gallery_program>")
   add_custom_target(render_gallery
     COMMAND render_gallery_program "${CMAKE_BINARY_DIR}/gallery.png" 1920 1080 report

@@ -16,8 +16,8 @@ using render::Mat3;
 using render::Scene;
 using render::Vec3;
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -50,17 +50,16 @@ TEST_CASE("A framing camera sees every corner of its bounds and touches the marg
 
 TEST_CASE("A framing camera refuses what it cannot frame", "[render_camera]") {
   const Vec3 direction(1.0, -2.0, 1.0);
-  CHECK_THROWS_AS(
-      render::camera_framing({Vec3::Constant(not_a_number), Vec3::Ones()}, direction, 1.0),
-      std::invalid_argument);
+  CHECK_THROWS_AS(render::camera_framing({Vec3::Constant(no_number), Vec3::Ones()}, direction, 1.0),
+                  std::invalid_argument);
   CHECK_THROWS_AS(render::camera_framing({Vec3::Ones(), -Vec3::Ones()}, direction, 1.0),
                   std::invalid_argument);
   CHECK_THROWS_AS(render::camera_framing({Vec3::Ones(), Vec3::Ones()}, direction, 1.0),
                   std::invalid_argument);
   CHECK_THROWS_AS(render::camera_framing({}, Vec3::Zero(), 1.0), std::invalid_argument);
-  CHECK_THROWS_AS(render::camera_framing({}, {0.0, infinity, 1.0}, 1.0), std::invalid_argument);
+  CHECK_THROWS_AS(render::camera_framing({}, {0.0, unbounded, 1.0}, 1.0), std::invalid_argument);
   CHECK_THROWS_AS(render::camera_framing({}, direction, 0.0), std::invalid_argument);
-  CHECK_THROWS_AS(render::camera_framing({}, direction, not_a_number), std::invalid_argument);
+  CHECK_THROWS_AS(render::camera_framing({}, direction, no_number), std::invalid_argument);
 }
 
 TEST_CASE("Bounds hold turned and swollen solids tightly", "[render_camera]") {

@@ -13,6 +13,7 @@
 
 namespace {
 
+using tests::files_in;
 using tests::ScratchFolder;
 
 render::Film falling_box() {
@@ -49,11 +50,6 @@ Outcome run(std::vector<std::string> arguments,
   const int code = render::film_main(static_cast<int>(argv.size()), argv.data(), make_film);
   std::cerr.rdbuf(before);
   return {code, said.str()};
-}
-
-int files_in(const std::filesystem::path& folder) {
-  return static_cast<int>(std::distance(std::filesystem::directory_iterator(folder),
-                                        std::filesystem::directory_iterator()));
 }
 
 std::string text_of(const std::filesystem::path& path) {

@@ -14,6 +14,9 @@
 namespace {
 
 using render::Image;
+using tests::content;
+using tests::files_in;
+using tests::message_of;
 using tests::read_png;
 using tests::ScratchFolder;
 
@@ -24,25 +27,6 @@ Image patterned_image(int width, int height) {
     image.rgb[i] = static_cast<std::uint8_t>(i % 7 == 0 ? i * i / 5 : i / 100);
   }
   return image;
-}
-
-std::string bytes_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
-int files_in(const std::filesystem::path& folder) {
-  return static_cast<int>(std::distance(std::filesystem::directory_iterator(folder),
-                                        std::filesystem::directory_iterator()));
-}
-
-std::string message_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "";
 }
 
 // Whether a rectangle is white but for nothing.
@@ -98,7 +82,7 @@ TEST_CASE("A file that is replaced keeps its old bytes until the new ones are wh
   const std::filesystem::path path = folder.path() / "data.csv";
   render::write_file_atomically(path, "old");
   render::write_file_atomically(path, "newer");
-  CHECK(bytes_of(path) == "newer");
+  CHECK(content(path) == "newer");
   CHECK(files_in(folder.path()) == 1);
 }
 

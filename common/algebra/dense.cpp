@@ -102,34 +102,39 @@ Matrix block(const Matrix& A, const std::vector<int>& rows) {
 
 double largest_eigenvalue(const Matrix& A) {
   if (A.rows() == 0) return 0.0;
-  const double size = largest_entry(A.reshaped());
-  if (size == 0.0) return 0.0;
+  return largest_eigenvalue(A.rows(), largest_entry(A.reshaped()),
+                            [&](const Vector& x) { return product(A, x); });
+}
+
+double largest_eigenvalue(Index rows, double largest_entry,
+                          const std::function<Vector(const Vector&)>& product) {
+  if (rows == 0 || largest_entry == 0.0) return 0.0;
   // The method of Lanczos: seen along v₁, v₂ ~ A v₁, v₃ ~ A v₂, … A has two diagonals, and after a
   // few steps it shows its largest eigenvalue. Each v is set against all before it, twice, since
   // once would leave a rounding of w that is large beside a short w. What is seen only grows, and
   // ends to rounding: it has to stand for eight steps, because it may rest before a group of
   // eigenvalues that are almost alike is told apart.
-  const Index n = A.rows();
-  std::vector<Vector> v{any_direction(n).normalized()};
+  std::vector<Vector> v{any_direction(rows).normalized()};
   Tridiagonal seen{{}, {0.0}};
-  const double bound = 2.0 * static_cast<double>(n);  // none is beyond the sum of a row, n at most
+  const auto n = static_cast<double>(rows);
+  const double bound = 2.0 * n;  // none is beyond the sum of a row, n at most
   double largest = -bound;
   int steady = 0;
   while (steady < 8) {
-    Vector w = product(A, v.back()) / size;
+    Vector w = product(v.back()) / largest_entry;
     seen.d.push_back(w.dot(v.back()));
     const double last = largest;
     largest = seen.largest(-bound, bound);
-    steady = largest <= last + 1e-16 * static_cast<double>(n) ? steady + 1 : 0;
+    steady = largest <= last + 1e-16 * n ? steady + 1 : 0;
     for (int again = 0; again < 2; ++again) {
       for (const Vector& before : v) w -= before.dot(w) * before;
     }
     const double length = w.norm();
-    if (static_cast<Index>(v.size()) == n || !(length > 1e-14)) break;  // it has seen all
+    if (static_cast<Index>(v.size()) == rows || !(length > 1e-14)) break;  // it has seen all
     seen.e.push_back(length);
     v.emplace_back(w / length);
   }
-  return largest * size;
+  return largest * largest_entry;
 }
 
 void require_entries(const Vector& x, Eigen::Index size, const char* name) {

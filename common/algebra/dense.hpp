@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "common/types.hpp"
@@ -29,6 +30,10 @@ Matrix block(const Matrix& A, const std::vector<int>& rows);
 
 /// The largest eigenvalue of a symmetric matrix; 0 if it has no rows.
 double largest_eigenvalue(const Matrix& A);
+/// The same of a matrix with so many rows that is known by its products with vectors; no entry is
+/// larger than `largest_entry` in size.
+double largest_eigenvalue(Eigen::Index rows, double largest_entry,
+                          const std::function<Vector(const Vector&)>& product);
 
 /// Each throws std::invalid_argument, and lets NaN pass nowhere, see common/course/require.hpp.
 ///

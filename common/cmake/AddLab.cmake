@@ -128,7 +128,7 @@ function(add_mutant name mistake step find replace words)
   set_target_properties(${program} PROPERTIES LINKER_LANGUAGE CXX)
   target_link_libraries(${program} PRIVATE test_main ${name}_tests ${name}_contract)
   target_link_options(${program} PRIVATE LINKER:--gc-sections)
-  add_test(NAME "${folder}/mistake/${step}/${mistake}" COMMAND Python3::Interpreter -B
+  add_test(NAME "${folder}/mistake/${step}/${mistake}" COMMAND "${python}" -B
     "${PROJECT_SOURCE_DIR}/tests/mistake_test.py" $<TARGET_FILE:${program}> ${step} "${words}")
   set_tests_properties("${folder}/mistake/${step}/${mistake}" PROPERTIES LABELS mistake TIMEOUT 120)
 endfunction()
@@ -159,7 +159,7 @@ endfunction()
 # Compiles mistakes together, and makes an object of each again.
 function(_add_batch answer right folder)
   cmake_path(GET folder FILENAME number)
-  set(script ${Python3_EXECUTABLE} -B "${PROJECT_SOURCE_DIR}/common/cmake/batch.py")
+  set(script "${python}" -B "${PROJECT_SOURCE_DIR}/common/cmake/batch.py")
   set(out "${CMAKE_CURRENT_BINARY_DIR}/mistakes/${answer}")
   execute_process(COMMAND ${script} write "${CMAKE_CURRENT_SOURCE_DIR}/${name}.hpp"
     "${solutions}/${answer}.cpp" "${folder}" "${out}/batch_${number}.cpp" COMMAND_ERROR_IS_FATAL ANY)
@@ -325,7 +325,7 @@ function(_add_seeds answer)
   endif()
   list(LENGTH cases count)
   set(test "kit/other seeds/${folder} ${answer}")
-  add_test(NAME "${test}" COMMAND Python3::Interpreter -B
+  add_test(NAME "${test}" COMMAND "${python}" -B
     "${PROJECT_SOURCE_DIR}/tests/seeds_test.py" $<TARGET_FILE:${name}_${answer}_test> ${count})
   set_tests_properties("${test}" PROPERTIES LABELS "kit;long" TIMEOUT 300)
 endfunction()

@@ -16,6 +16,10 @@ find_package(Threads REQUIRED)
 
 # This runs the checks of the mistakes, of the command and of the architecture.
 find_package(Python3 3.9 REQUIRED COMPONENTS Interpreter)
+# A version manager's python3 is a script that takes a third of a second to find the real one, and
+# some six hundred tests and steps of a build begin with it.
+execute_process(COMMAND "${Python3_EXECUTABLE}" -c "import sys; print(sys.executable)"
+  OUTPUT_VARIABLE python OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
 
 # For PNG, stb writes the file and ISA-L packs it.
 find_path(STB_INCLUDE_DIR stb_image_write.h PATH_SUFFIXES stb REQUIRED)

@@ -2,9 +2,11 @@
 
 A mistake is an edit of the right answer, of a line or two. To compile all of the answer for it is
 most of what the proof of the kit would take. So only these are kept: the functions that the edit is
-in, those that name one of them, over any number of steps, and the helpers that all of these need.
-The program is linked with the right answer, too, whose functions give way to those of the same name
-(objcopy --weaken). An edit outside of a function, as of a constant, keeps the whole file.
+in; if it is in a helper, those that name the helper, over any number of steps; and the helpers that
+all of these need. The program is linked with the right answer, too, whose functions give way to
+those of the same name (objcopy --weaken). Position-independent code calls a function of the
+contract by its name, so the right answer's other functions call the wrong one. An edit outside of a
+function, as of a constant, keeps the whole file.
 """
 
 import re
@@ -21,7 +23,7 @@ class Part(NamedTuple):
     text: str
     name: str
     is_helper: bool
-    """Of an unnamed namespace: no other file can know it."""
+    """May be compiled into its callers: it is in an unnamed namespace, or a template, or inline."""
 
 
 def parts(text: str) -> list[Part]:
@@ -50,17 +52,18 @@ def _part(text: str, is_helper: bool) -> Part:
     name = _NAME.search(head)
     is_function = (code.endswith("}") and name and "=" not in head[:name.start()]
                    and not _NOT_FUNCTIONS.match(code))
+    is_helper = is_helper or re.match(r"template|inline|constexpr", code) is not None
     return Part(text, name.group(1) if is_function and name else "", is_helper)
 
 
 def only_affected(right: str, wrong: str) -> str:
     after = parts(wrong)
     changed = set(parts(right)) ^ set(after)
-    affected = _closure({part.name for part in changed}, after)
+    helpers = {part.name for part in after if part.is_helper}
+    affected = _closure({part.name for part in changed}, helpers, after)
     if "" in affected:
         return wrong
     kept = set(affected)
-    helpers = {part.name for part in after if part.is_helper}
     needed = [part for part in after if not part.name or part.name in kept]
     while needed:
         words = set().union(*(_words(part.text) for part in needed))
@@ -70,10 +73,10 @@ def only_affected(right: str, wrong: str) -> str:
     return "".join(part.text for part in after if not part.name or part.name in kept)
 
 
-def _closure(names: set[str], all_parts: Sequence[Part]) -> set[str]:
-    """The names, and those of all parts that name one of them; "" for text between functions."""
+def _closure(names: set[str], helpers: set[str], all_parts: Sequence[Part]) -> set[str]:
+    """The names, and those of all parts that name a helper of them; "" for text between functions."""
     while True:
-        more = {part.name for part in all_parts if _words(part.text) & names} | names
+        more = {part.name for part in all_parts if _words(part.text) & names & helpers} | names
         if more == names or "" in more:
             return more
         names = more

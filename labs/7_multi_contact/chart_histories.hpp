@@ -34,8 +34,8 @@ inline render::HistoryMethod closed_form(const render::HistoryMethod& beside,
 inline render::RecordedChart collapse_chart() {
   render::HistoryChart words =
       history_chart("collapse", "A ball hits balls at rest: impulses until nothing approaches",
-                    "n balls in all, one of which comes; at 1000 it has not ended; dashed: e_c = "
-                    "tan²(π/4 (1 − 2/n))");
+                    "N balls in all, the first comes; at 1000 it has not ended; dashed: e_c = "
+                    "tan²(π/4 (1 − 2/N))");
   words.x_name = "restitution e";
   words.x_unit = "";
   words.panels = {{"impulses or reflections", "", true, 1.0, 2000.0, {}}};

@@ -25,7 +25,7 @@ inline ContactSystem row_of_balls(int count) {
   return contact_system(balls, contacts);
 }
 
-/// Below it the row can collide without end: tan²(π/4 (1 − 2/n)).
+/// Below it the row can collide without end: tan²(π/4 (1 − 2/N)).
 inline double collapse_below(int balls) {
   const double root = std::tan(0.25 * std::numbers::pi * (1.0 - 2.0 / balls));
   return root * root;

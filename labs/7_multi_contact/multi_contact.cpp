@@ -125,7 +125,8 @@ Vector friction_sweeps(const Matrix& A, const Vector& b, const Vector& start, do
   // 1. Check the arguments.
   // 2. Contact k has the rows 3k, 3k + 1 and 3k + 2. Do the normal first, as in step 7.3.
   // 3. What is u in the tangential rows by now?
-  // 4. One q for both: the larger eigenvalue of [p r; r s] is (p + s)/2 + √((p − s)²/4 + r²).
+  // 4. One q for both, 1 over the larger eigenvalue of A_TT:
+  //    (A_tt + A_ss)/2 + √((A_tt − A_ss)²/4 + A_ts²).
   // 5. Step against u, then limit the pair by μ times the λ_n of this contact, the new one.
   throw common::NotImplemented("7.7 friction_sweeps");
 }
@@ -143,10 +144,10 @@ double coulomb_residual(const Matrix& A, const Vector& b, const Vector& lambda, 
 Vector accelerated(const Matrix& A, const Vector& b, int steps) {
   // TODO step 7.8, eq. (13)
   // 1. Check the arguments.
-  // 2. L is common::largest_eigenvalue(A). Begin with λ = y = 0 and s = 1.
+  // 2. L is common::largest_eigenvalue(A). Begin with λ = y = 0 and c = 1.
   // 3. A step down the slope from y, clamped at zero, is the next λ.
-  // 4. If it went uphill, the momentum is wrong: s = 1 forgets it.
-  // 5. y goes on past the next λ, by (s − 1)/s' of the way from the last.
+  // 4. If it went uphill, the momentum is wrong: c = 1 forgets it.
+  // 5. y goes on past the next λ, by (c − 1)/c' of the way from the last.
   throw common::NotImplemented("7.8 accelerated");
 }
 

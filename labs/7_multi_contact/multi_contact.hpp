@@ -161,11 +161,11 @@ Vector friction_sweeps(const Matrix& A, const Vector& b, const Vector& start, do
 /// only then. Throws as friction_sweeps does.
 double coulomb_residual(const Matrix& A, const Vector& b, const Vector& lambda, double friction);
 
-/// A challenge: Nesterov's accelerated projected gradient, from λ = y = 0, s = 1. eq. (13)
+/// A challenge: Nesterov's accelerated projected gradient, from λ = y = 0, c = 1. eq. (13)
 ///
 ///   g = A y + b,  λ' = max(0, y − g/L),  L the largest eigenvalue of A
-///   if that went uphill, g·(λ' − λ) > 0:  s ← 1, which forgets the momentum
-///   s' = (1 + √(1 + 4 s²))/2,  y ← λ' + (s − 1)/s' (λ' − λ),  λ ← λ',  s ← s'
+///   if that went uphill, g·(λ' − λ) > 0:  c ← 1, which forgets the momentum
+///   c' = (1 + √(1 + 4 c²))/2,  y ← λ' + (c − 1)/c' (λ' − λ),  λ ← λ',  c ← c'
 ///
 /// Returns λ after so many steps. common::largest_eigenvalue is supplied.
 Vector accelerated(const Matrix& A, const Vector& b, int steps);

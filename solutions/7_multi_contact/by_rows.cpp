@@ -1,11 +1,13 @@
 // The same lab without the supplied solvers: A is read off the bodies by pushing them, u is always
 // worked out anew from λ, contacts held at once come from a dual active set, the zone from
-// conjugate directions, the diamond is a box that is turned, and the momentum is written by θ.
+// conjugate directions, the diamond is a box that is turned, and the momentum is written by θ. The
+// solvers that repeat a product leave out the zeros of A.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "by_rows_held.hpp"
+#include "by_rows_sparse.hpp"
 #include "common/course/require.hpp"
 #include "multi_contact.hpp"
 
@@ -14,6 +16,7 @@ namespace {
 
 using by_rows::Held;
 using by_rows::shortest;
+using by_rows::SparseRows;
 using common::block;
 using common::entries;
 using common::product;
@@ -134,13 +137,16 @@ Impulses sequential_impulses(const ContactSystem& system, double restitution, in
 Vector gauss_seidel(const Matrix& A, const Vector& b, const Vector& start, int sweeps) {
   require_system(A, b, start);
   require_not_negative(sweeps, "sweeps");
+  const SparseRows rows(A);
+  const Vector diagonal = A.diagonal();
   Vector lambda = start;
-  Vector u = product(A, start) + b;
+  Vector u = rows.times(start) + b;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     for (Eigen::Index i = 0; i < b.size(); ++i) {
-      const double change = std::max(-u[i] / A(i, i), -lambda[i]);
+      const double change = std::max(-u[i] / diagonal[i], -lambda[i]);
+      if (change == 0.0) continue;
       lambda[i] += change;
-      u += A.col(i) * change;
+      rows.add_column(static_cast<std::size_t>(i), change, u);
     }
   }
   return lambda;
@@ -250,14 +256,16 @@ double coulomb_residual(const Matrix& A, const Vector& b, const Vector& lambda, 
 Vector accelerated(const Matrix& A, const Vector& b, int steps) {
   require_system(A, b);
   require_not_negative(steps, "steps");
-  const double L = common::largest_eigenvalue(A);
+  const SparseRows rows(A);
+  const double L = common::largest_eigenvalue(b.size(), common::largest_entry(A.diagonal()),
+                                              [&](const Vector& x) { return rows.times(x); });
   Vector last = Vector::Zero(b.size());
   Vector lambda = last;
   double momentum = 0.0;
-  double theta = 1.0;  // 1/s
+  double theta = 1.0;  // 1/c
   for (int step = 0; step < steps; ++step) {
     const Vector y = lambda + momentum * (lambda - last);
-    const Vector slope = product(A, y) + b;
+    const Vector slope = rows.times(y) + b;
     last = lambda;
     lambda = (y - slope / L).cwiseMax(0.0);
     if (slope.dot(lambda - last) > 0.0) theta = 1.0;

@@ -675,36 +675,36 @@ add_mutant(${lab} pull_forgiven 7.7
 
 # Momentum is believed to help always.
 add_mutant(${lab} never_restarts 7.8
-  "if (g.dot(next - lambda) > 0.0) s = 1.0;"
+  "if (g.dot(next - lambda) > 0.0) c = 1.0;"
   ""
   "no step restarts")
 
-# s is set back in every step.
+# c is set back in every step.
 add_mutant(${lab} always_restarts 7.8
-  "if (g.dot(next - lambda) > 0.0) s = 1.0;"
-  "s = 1.0;"
+  "if (g.dot(next - lambda) > 0.0) c = 1.0;"
+  "c = 1.0;"
   "there is no momentum")
 
 # The sign of the slope is mixed up.
 add_mutant(${lab} restarts_downhill 7.8
-  "if (g.dot(next - lambda) > 0.0) s = 1.0;"
-  "if (g.dot(next - lambda) < 0.0) s = 1.0;"
+  "if (g.dot(next - lambda) > 0.0) c = 1.0;"
+  "if (g.dot(next - lambda) < 0.0) c = 1.0;"
   "there is no momentum")
 
 # The point ahead is taken for the impulses.
 add_mutant(${lab} returns_the_point_ahead 7.8
-  "    s = s_next;
+  "    c = c_next;
   }
   return lambda;"
-  "    s = s_next;
+  "    c = c_next;
   }
   return y;"
   "y is returned")
 
 # The point ahead is believed to have to push as well.
 add_mutant(${lab} clamps_the_point_ahead 7.8
-  "y = next + (s - 1.0) / s_next * (next - lambda);"
-  "y = (next + (s - 1.0) / s_next * (next - lambda)).cwiseMax(0.0);"
+  "y = next + (c - 1.0) / c_next * (next - lambda);"
+  "y = (next + (c - 1.0) / c_next * (next - lambda)).cwiseMax(0.0);"
   "y is clamped")
 
 # The slope is believed to be that of the impulses.
@@ -715,15 +715,15 @@ add_mutant(${lab} slope_at_lambda 7.8
 
 # The gradient is believed to be all.
 add_mutant(${lab} no_momentum 7.8
-  "y = next + (s - 1.0) / s_next * (next - lambda);"
+  "y = next + (c - 1.0) / c_next * (next - lambda);"
   "y = next;"
   "there is no momentum")
 
 # The 4 is left out.
 add_mutant(${lab} root_without_4 7.8
-  "std::sqrt(1.0 + 4.0 * s * s)"
-  "std::sqrt(1.0 + s * s)"
-  "it is of 1 + 4 s^2")
+  "std::sqrt(1.0 + 4.0 * c * c)"
+  "std::sqrt(1.0 + c * c)"
+  "it is of 1 + 4 c^2")
 
 # Any number above the largest eigenvalue is believed to do as well.
 add_mutant(${lab} step_of_the_trace 7.8

@@ -234,15 +234,15 @@ Vector accelerated(const Matrix& A, const Vector& b, int steps) {
   const double L = common::largest_eigenvalue(A);
   Vector lambda = Vector::Zero(b.size());
   Vector y = lambda;
-  double s = 1.0;
+  double c = 1.0;
   for (int step = 0; step < steps; ++step) {  // eq. (13)
     const Vector g = common::product(A, y) + b;
     const Vector next = (y - g / L).cwiseMax(0.0);
-    if (g.dot(next - lambda) > 0.0) s = 1.0;
-    const double s_next = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * s * s));
-    y = next + (s - 1.0) / s_next * (next - lambda);
+    if (g.dot(next - lambda) > 0.0) c = 1.0;
+    const double c_next = 0.5 * (1.0 + std::sqrt(1.0 + 4.0 * c * c));
+    y = next + (c - 1.0) / c_next * (next - lambda);
     lambda = next;
-    s = s_next;
+    c = c_next;
   }
   return lambda;
 }

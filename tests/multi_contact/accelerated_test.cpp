@@ -42,7 +42,7 @@ TEST_CASE("The first steps of the acceleration are worked by hand", "[7.8]") {
   const ContactSystem row = tests::cradle(Vector{{1.0, 0.0, 0.0}}).system();
   const ContactSystem held = tests::dumb_bell().system();
   const Matrix apart = Vector{{1.0, 4.0}}.asDiagonal();
-  // From step 3 on there is momentum: (s - 1)/s' of the last change, (1, 1)/9.
+  // From step 3 on there is momentum: (c - 1)/c' of the last change, (1, 1)/9.
   const double s = 0.5 * (1.0 + std::sqrt(5.0));
   const double kept = (s - 1.0) / (0.5 + std::sqrt(0.25 + s * s));
   const Vector y = Vector{{4.0 + kept, 1.0 + kept}} / 9.0;

@@ -13,7 +13,7 @@ using Flawed = AccelerationFlaw;
 struct Course {
   Long lambda;
   Long y;
-  long double s = 1;
+  long double c = 1;
 };
 
 long double step_length(const Matrix& A, Flawed flaw) {
@@ -41,11 +41,11 @@ bool restarts(long double uphill, Flawed flaw) {
   return flaw == Flawed::always_restarts || uphill > 0;
 }
 
-long double share_kept(long double s, long double s_next, Flawed flaw) {
+long double share_kept(long double c, long double c_next, Flawed flaw) {
   if (flaw == Flawed::no_momentum) return 0;
   if (flaw == Flawed::full_momentum) return 1;
-  if (flaw == Flawed::momentum_by_old_s) return (s - 1) / s;
-  return flaw == Flawed::momentum_by_s ? s / s_next : (s - 1) / s_next;
+  if (flaw == Flawed::momentum_by_old_c) return (c - 1) / c;
+  return flaw == Flawed::momentum_by_c ? c / c_next : (c - 1) / c_next;
 }
 
 /// returns  g·(λ' − λ) over the lengths of the two; 1 if nothing moved
@@ -56,13 +56,13 @@ long double take_step(const Accelerating& in, long double length, Course& course
   const Long change = next - course.lambda;
   const long double uphill = g.dot(change);
   const bool again = restarts(uphill, flaw);
-  long double s = course.s;
-  if (again && flaw != Flawed::restarts_late) s = 1;
-  const long double root = std::sqrt(1 + (flaw == Flawed::s_without_4 ? 1 : 4) * s * s);
-  const long double s_next = (1 + root) / 2;
-  course.y = next + share_kept(s, s_next, flaw) * change;
+  long double c = course.c;
+  if (again && flaw != Flawed::restarts_late) c = 1;
+  const long double root = std::sqrt(1 + (flaw == Flawed::c_without_4 ? 1 : 4) * c * c);
+  const long double c_next = (1 + root) / 2;
+  course.y = next + share_kept(c, c_next, flaw) * change;
   if (flaw == Flawed::clamps_y) course.y = course.y.cwiseMax(0.0L).eval();
-  course.s = again && flaw == Flawed::restarts_late ? 1 : s_next;
+  course.c = again && flaw == Flawed::restarts_late ? 1 : c_next;
   if (again && flaw == Flawed::restart_steps_back) {
     course.y = course.lambda;
   } else {
@@ -88,12 +88,12 @@ Accelerated exact_acceleration(const Accelerating& in, AccelerationFlaw flaw) {
 
 const std::vector<std::pair<AccelerationFlaw, std::string>>& acceleration_flaws() {
   const char* const no_momentum =
-      "there is no momentum: y goes on past lambda', and s = 1 only if a step went uphill";
+      "there is no momentum: y goes on past lambda', and c = 1 only if a step went uphill";
   static const std::vector<std::pair<AccelerationFlaw, std::string>> all{
       {Flawed::never_restarts,
-       "no step restarts: if it went uphill, g.(lambda' - lambda) > 0 with g at y, s = 1"},
+       "no step restarts: if it went uphill, g.(lambda' - lambda) > 0 with g at y, c = 1"},
       {Flawed::restarts_late,
-       "a restart comes a step late: s = 1 first, then y, which has no momentum then"},
+       "a restart comes a step late: c = 1 first, then y, which has no momentum then"},
       {Flawed::restart_steps_back, "a restart takes the step back: lambda' is kept"},
       {Flawed::returns_y, "y is returned: it is lambda that is clamped"},
       {Flawed::clamps_y, "y is clamped: only lambda is"},
@@ -102,10 +102,10 @@ const std::vector<std::pair<AccelerationFlaw, std::string>>& acceleration_flaws(
       {Flawed::no_momentum, no_momentum},
       {Flawed::always_restarts, no_momentum},
       {Flawed::restarts_downhill, no_momentum},
-      {Flawed::full_momentum, "y goes on by the whole of the last step: by (s - 1)/s' of it"},
-      {Flawed::momentum_by_old_s, "the momentum is (s - 1)/s: divide by the next s"},
-      {Flawed::momentum_by_s, "the momentum is s/s': it is (s - 1)/s'"},
-      {Flawed::s_without_4, "the root is of 1 + s^2: it is of 1 + 4 s^2"},
+      {Flawed::full_momentum, "y goes on by the whole of the last step: by (c - 1)/c' of it"},
+      {Flawed::momentum_by_old_c, "the momentum is (c - 1)/c: divide by the next c"},
+      {Flawed::momentum_by_c, "the momentum is c/c': it is (c - 1)/c'"},
+      {Flawed::c_without_4, "the root is of 1 + c^2: it is of 1 + 4 c^2"},
       {Flawed::step_of_trace, "L is the trace of A: take its largest eigenvalue"},
       {Flawed::step_of_diagonal, "L is the largest of A's diagonal: take its largest eigenvalue"},
       {Flawed::step_of_half, "the step is half of 1/L"},

@@ -58,7 +58,7 @@ TEST_CASE("If one ball hits others that touch it comes back and they go as one",
        Vector{{-1.0, 1.0, 1.0}} / 2.0},
       {tests::row_of_balls(Vector{{2.0, 1.0, 2.0}}, Vector{{1.0, 0.0, 0.0}}),
        Vector{{-1.0, 4.0, 4.0}} / 5.0}};
-  for (int n = 2; n <= 8; ++n) {  // one on n − 1: (2 − n)/n and 2/n
+  for (int n = 2; n <= 8; ++n) {  // one on N − 1: (2 − N)/N and 2/N
     Vector wanted = Vector::Constant(n, 2.0 / n);
     wanted[0] = (2.0 - n) / n;
     all.push_back({tests::cradle(Vector::Unit(n, 0)), wanted});

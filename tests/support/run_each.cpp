@@ -32,9 +32,9 @@ namespace {
 using tests::Case;
 using tests::CaseChild;
 
-constexpr double patience = 6.0;     // [s] of computing; a right answer takes a tenth of it
-constexpr double no_patience = 0.5;  // [s], once a case has run out of time
-constexpr int hopeless = 3;          // cases of a step that ran out of time: the rest is not run
+constexpr const char* usual_patience = "6";  // [s] of computing; a right answer takes a tenth of it
+constexpr double no_patience = 0.5;          // [s], once a case has run out of time
+constexpr int hopeless = 3;  // cases of a step that ran out of time: the rest is not run
 
 std::vector<Case> read_cases(const std::string& path) {
   std::ifstream file(path);
@@ -50,8 +50,8 @@ std::vector<Case> read_cases(const std::string& path) {
 
 class Runner {
  public:
-  Runner(const std::vector<Case>& cases, std::vector<std::string> arguments)
-      : waiting_(cases), arguments_(std::move(arguments)) {}
+  Runner(const std::vector<Case>& cases, std::vector<std::string> arguments, double patience)
+      : waiting_(cases), arguments_(std::move(arguments)), patience_(patience) {}
 
   /// Each case in a child of its own.
   void run_apart(std::size_t jobs) {
@@ -123,7 +123,7 @@ class Runner {
     }
     if (!child.was_told_to_end()) {
       const bool is_late =
-          child.seconds_computed() > (anything_out_of_time_ ? no_patience : patience);
+          child.seconds_computed() > (anything_out_of_time_ ? no_patience : patience_);
       if (!is_late && !child.has_slept()) return false;
       ++out_of_time_[child.current().step];
       anything_out_of_time_ = true;
@@ -136,6 +136,7 @@ class Runner {
 
   std::vector<Case> waiting_;
   std::vector<std::string> arguments_;
+  double patience_;
   std::vector<CaseChild> running_;
   std::map<std::string, int> out_of_time_;  ///< cases, by their step
   bool anything_out_of_time_ = false;
@@ -151,9 +152,11 @@ extern "C" int __wrap_main(int argc, char** argv) {  // NOLINT: the linker's nam
   const std::vector<Case> cases = read_cases(arguments[2]);
   const bool together = arguments[3] == "together";
   const std::size_t jobs = std::strtoul(arguments[3].c_str(), nullptr, 10);
-  if (cases.empty() || (jobs == 0 && !together)) {
-    std::cerr << "usage: PROGRAM --each CASES JOBS, with a case in CASES; JOBS is a number from 1, "
-                 "or together\n";
+  const double patience = std::strtod(argc > 4 ? argv[4] : usual_patience, nullptr);
+  if (cases.empty() || (jobs == 0 && !together) || !(patience > 0.0)) {
+    std::cerr << "usage: PROGRAM --each CASES JOBS [SECONDS], with a case in CASES; JOBS is a "
+                 "number from 1, or together; SECONDS of computing end a case, "
+              << usual_patience << " if not given\n";
     return EXIT_FAILURE;
   }
   tests::prepare_last_words();
@@ -161,8 +164,8 @@ extern "C" int __wrap_main(int argc, char** argv) {  // NOLINT: the linker's nam
   sigemptyset(&child_ended);
   sigaddset(&child_ended, SIGCHLD);
   sigprocmask(SIG_BLOCK, &child_ended, nullptr);
-  arguments.erase(arguments.begin() + 1, arguments.begin() + 4);
-  Runner runner(cases, arguments);
+  arguments.resize(1);
+  Runner runner(cases, arguments, patience);
   together ? runner.run_together() : runner.run_apart(jobs);
   return EXIT_SUCCESS;
 }

@@ -1,3 +1,4 @@
+#include "catch.hpp"
 #include "judged.hpp"
 #include "random.hpp"
 

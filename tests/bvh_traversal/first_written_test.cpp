@@ -1,3 +1,4 @@
+#include "catch.hpp"
 #include "walks.hpp"
 
 using namespace lab::bvh_traversal;

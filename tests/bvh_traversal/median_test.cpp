@@ -1,3 +1,4 @@
+#include "catch.hpp"
 #include "common/geometry/meshes.hpp"
 #include "structure.hpp"
 

@@ -1,3 +1,4 @@
+#include "catch.hpp"
 #include "rational.hpp"
 #include "stories.hpp"
 

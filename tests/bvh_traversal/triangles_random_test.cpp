@@ -1,3 +1,4 @@
+#include "catch.hpp"
 #include "oracle.hpp"
 #include "stories.hpp"
 #include "trees.hpp"

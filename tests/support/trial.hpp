@@ -3,12 +3,10 @@
 #include <concepts>
 #include <exception>
 #include <functional>
-#include <iostream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "catch.hpp"
 #include "common/course/not_implemented.hpp"
 #include "under_way.hpp"
 #include "values.hpp"
@@ -35,8 +33,7 @@ class Trial : private UnderWay {
  public:
   /// step_and_function  as the stub throws it: "1.2 point_velocity"
   /// index, count       the number of this input, from 1, and the number of inputs of the test case
-  explicit Trial(std::string step_and_function, int index = 1, int count = 1)
-      : step_(std::move(step_and_function)), index_(index), count_(count) {}
+  explicit Trial(std::string step_and_function, int index = 1, int count = 1);
 
   /// Adds an argument, which is printed as C++ that can be pasted. It is kept as it is now, and
   /// becomes a text only if a judgement fails, because printing takes longer than judging.
@@ -52,17 +49,10 @@ class Trial : private UnderWay {
 
   /// Sets what names a likely mistake if a judgement fails and not exactly one suspect fits.
   /// likely  is called only then; it returns an empty text if it cannot tell, see fingerprint.hpp
-  Trial& suspecting(std::function<std::string()> likely) {
-    likely_ = std::move(likely);
-    return *this;
-  }
+  Trial& suspecting(std::function<std::string()> likely);
 
   /// Returns the same trial for one part of the result, as in "the torque".
-  [[nodiscard]] Trial of(const std::string& part) const {
-    Trial trial = *this;
-    trial.part_ = part;
-    return trial;
-  }
+  [[nodiscard]] Trial of(const std::string& part) const;
 
   /// Requires |got − wanted| ≤ bound, in the norm of values.hpp. If exactly one suspect gives the
   /// value of the answer (twice the bound is allowed), it is named as the likely mistake.
@@ -92,20 +82,13 @@ class Trial : private UnderWay {
       explain(text(got), text(wanted), text(error), text(bound.value) + ": " + bound.reason,
               stories);
     }
-    REQUIRE(error <= bound.value);
+    require_within(error, bound);
   }
 
   /// Requires a property of the result: `error` ≤ bound. `what` says what the error measures.
   /// likely  a mistake whose sign the caller has seen, or empty
   void expect_small(const std::string& what, double error, const Bound& bound,
-                    const std::string& likely = "") const {
-    if (!is_finite(error)) fail_not_finite(what + " = " + text(error), "0");
-    if (!(error <= bound.value)) {
-      explain(what + " = " + text(error), "0", text(error), text(bound.value) + ": " + bound.reason,
-              named(likely));
-    }
-    REQUIRE(error <= bound.value);
-  }
+                    const std::string& likely = "") const;
 
   /// Returns the result of the call. It explains an exception with the input, but lets
   /// NotImplemented pass.
@@ -116,8 +99,7 @@ class Trial : private UnderWay {
     } catch (const common::NotImplemented&) {
       throw;
     } catch (const std::exception& error) {
-      explain(std::string("an exception: ") + error.what(), "a value", "this input has an answer",
-              "", {});
+      explain_exception(error);
       throw;
     }
   }
@@ -129,65 +111,38 @@ class Trial : private UnderWay {
                     const std::string& likely = "") const {
     try {
       const auto got = call();
-      const std::string wanted = "an exception, because " + why;
-      const std::string error =
-          is_finite(got) ? "nothing is thrown" : "not finite, and nothing is thrown";
-      explain(text(got), wanted, error, "", named(likely));
+      explain_no_exception(text(got), is_finite(got), why, likely);
     } catch (const common::NotImplemented&) {
       throw;
     } catch (const Expected&) {
-      SUCCEED("it throws");
+      succeed();
       return;
     } catch (const std::exception& error) {
-      explain(std::string("an exception of another type: ") + error.what(),
-              "the type that the header names", "why: " + why, "", {});
+      explain_other_exception(error, why);
     }
-    FAIL(step_ << " must throw what the header says: " << why);
+    fail_to_throw(why);
   }
 
  private:
-  static constexpr const char* not_finite =
-      "not finite: NaN and infinity are never right here; vectors and matrices stay NaN until "
-      "you set them";
-
   template <typename Value>
   void keep(const std::string& name, const Value& value) {
     inputs_.push_back([name, value] { return name + " = " + text(value) + ";"; });
   }
 
-  static std::vector<std::string> named(const std::string& likely) {
-    return likely.empty() ? std::vector<std::string>{} : std::vector<std::string>{likely};
-  }
-
-  [[noreturn]] void fail_not_finite(const std::string& got, const std::string& wanted) const {
-    explain(got, wanted, not_finite, "", {});
-    FAIL(step_ << " returned a value that is not finite");
-    std::terminate();  // FAIL throws
-  }
-
-  [[nodiscard]] std::string asked() const {
-    std::string lines = "| step    " + step_ + "\n";
-    if (count_ > 1) {
-      lines += "| case    " + std::to_string(index_) + " of " + std::to_string(count_) + "\n";
-    }
-    for (const auto& input : inputs_) lines += "| input   " + input() + "\n";
-    return lines;
-  }
-
-  void tell() const override { std::cerr << asked() << std::flush; }
+  static void require_within(double error, const Bound& bound);
+  static void succeed();
+  [[noreturn]] void fail_not_finite(const std::string& got, const std::string& wanted) const;
+  [[noreturn]] void fail_to_throw(const std::string& why) const;
+  void explain_exception(const std::exception& error) const;
+  void explain_other_exception(const std::exception& error, const std::string& why) const;
+  void explain_no_exception(const std::string& got, bool finite, const std::string& why,
+                            const std::string& likely) const;
+  [[nodiscard]] std::string asked() const;
+  void tell() const override;
 
   /// If two stories fit, none is named, because only a sure sign counts.
   void explain(const std::string& got, const std::string& wanted, const std::string& error,
-               const std::string& bound, const std::vector<std::string>& stories) const {
-    std::string lines = asked();
-    if (!part_.empty()) lines += "| note    this is about " + part_ + "\n";
-    lines += "| got     " + got + "\n| wanted  " + wanted + "\n| error   " + error + "\n";
-    if (!bound.empty()) lines += "| bound   " + bound + "\n";
-    std::cerr << lines << std::flush;  // flushed, because the answer may crash on other inputs
-    std::string likely = stories.size() == 1 ? stories.front() : "";
-    if (likely.empty() && likely_) likely = likely_();
-    if (!likely.empty()) std::cerr << "| likely  " << likely << "\n" << std::flush;
-  }
+               const std::string& bound, const std::vector<std::string>& stories) const;
 
   std::string step_;
   std::string part_;

@@ -1,5 +1,9 @@
 #include "values.hpp"
 
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
 namespace tests {
 namespace {
 
@@ -11,8 +15,41 @@ std::string listed(const Eigen::VectorXd& v) {
 
 }  // namespace
 
+double length(const Vec3& value) { return length_of(value.data(), value.size()); }
+double length(const Quat& value) { return length_of(value.coeffs().data(), 4); }
+double length(const Mat3& value) { return length_of(value.data(), value.size()); }
+
 double length_of(const double* entries, Eigen::Index count) {
   return Eigen::Map<const Eigen::VectorXd>(entries, count).stableNorm();
+}
+
+double difference(const Vec3& a, const Vec3& b) { return length(Vec3(a - b)); }
+double difference(const Mat3& a, const Mat3& b) { return length(Mat3(a - b)); }
+double difference(const Quat& a, const Quat& b) {
+  return std::min((a.coeffs() - b.coeffs()).norm(), (a.coeffs() + b.coeffs()).norm());
+}
+
+std::string text(double value) {
+  char digits[32];
+  for (const int precision : {6, 15, 17}) {
+    std::snprintf(digits, sizeof digits, "%.*g", precision, value);
+    if (std::strtod(digits, nullptr) == value) break;
+  }
+  return digits;
+}
+std::string text(const Vec3& v) {
+  return "Vec3(" + text(v.x()) + ", " + text(v.y()) + ", " + text(v.z()) + ")";
+}
+std::string text(const Quat& q) {
+  return "Quat(" + text(q.w()) + ", " + text(q.x()) + ", " + text(q.y()) + ", " + text(q.z()) + ")";
+}
+std::string text(const Mat3& m) {
+  std::string rows = "Mat3{";
+  for (int i = 0; i < 3; ++i) {
+    rows += i == 0 ? "{" : ", {";
+    rows += text(m(i, 0)) + ", " + text(m(i, 1)) + ", " + text(m(i, 2)) + "}";
+  }
+  return rows + "}";
 }
 
 std::string text_of(const Eigen::Vector2d& v) {

@@ -1,16 +1,15 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <concepts>
-#include <cstdio>
 #include <limits>
 #include <string>
 
 #include "common/algebra/dense.hpp"
 #include "common/types.hpp"
 
-/// Functions by which tests compare and print the values that contracts return.
+/// Functions by which tests compare and print the values that contracts return. Every test file
+/// includes them, so what is no template is compiled once, in values.cpp.
 namespace tests {
 
 using common::Mat3;
@@ -30,14 +29,12 @@ bool is_finite(const Eigen::MatrixBase<Derived>& value) {
 
 /// Return the length of all entries together, without overflow or underflow on the way.
 inline double length(double value) { return std::abs(value); }
-inline double length(const Vec3& value) { return value.stableNorm(); }
-inline double length(const Quat& value) { return value.coeffs().stableNorm(); }
-inline double length(const Mat3& value) {
-  return Eigen::Map<const Eigen::Matrix<double, 9, 1>>(value.data()).stableNorm();
-}
+double length(const Vec3& value);
+double length(const Quat& value);
+double length(const Mat3& value);
 
-/// What has no three entries, in values.cpp: these types themselves, as an expression fits them
-/// all.
+/// What has no three entries. These types themselves are meant, because an expression would fit all
+/// of them.
 template <typename Value>
 concept OtherSize = std::same_as<Value, Eigen::Vector2d> || std::same_as<Value, Eigen::VectorXd> ||
     std::same_as<Value, common::Matrix>;
@@ -58,37 +55,17 @@ double difference(const Value& a, const Value& b) {
 }
 
 inline double difference(double a, double b) { return length(a - b); }
-inline double difference(const Vec3& a, const Vec3& b) { return length(Vec3(a - b)); }
-inline double difference(const Mat3& a, const Mat3& b) { return length(Mat3(a - b)); }
+double difference(const Vec3& a, const Vec3& b);
+double difference(const Mat3& a, const Mat3& b);
 /// q and −q are the same attitude.
-inline double difference(const Quat& a, const Quat& b) {
-  return std::min((a.coeffs() - b.coeffs()).norm(), (a.coeffs() + b.coeffs()).norm());
-}
+double difference(const Quat& a, const Quat& b);
 
 /// Returns the shortest decimal that reads back as the same double: 17 digits if 15 are too few.
-inline std::string text(double value) {
-  char digits[32];
-  for (const int precision : {6, 15, 17}) {
-    std::snprintf(digits, sizeof digits, "%.*g", precision, value);
-    if (std::strtod(digits, nullptr) == value) break;
-  }
-  return digits;
-}
+std::string text(double value);
 /// Return C++ that a student can paste.
-inline std::string text(const Vec3& v) {
-  return "Vec3(" + text(v.x()) + ", " + text(v.y()) + ", " + text(v.z()) + ")";
-}
-inline std::string text(const Quat& q) {
-  return "Quat(" + text(q.w()) + ", " + text(q.x()) + ", " + text(q.y()) + ", " + text(q.z()) + ")";
-}
-inline std::string text(const Mat3& m) {
-  std::string rows = "Mat3{";
-  for (int i = 0; i < 3; ++i) {
-    rows += i == 0 ? "{" : ", {";
-    rows += text(m(i, 0)) + ", " + text(m(i, 1)) + ", " + text(m(i, 2)) + "}";
-  }
-  return rows + "}";
-}
+std::string text(const Vec3& v);
+std::string text(const Quat& q);
+std::string text(const Mat3& m);
 template <OtherSize Value>
 std::string text(const Value& value) {
   return text_of(value);

@@ -38,7 +38,7 @@ BREACHES = [
     ("charts know scenes", "render/chart/chart.hpp", '#include "render/draw/camera.hpp"\n'),
     ("a room has no order", "common/attic/spare.hpp", "#pragma once\n"),
     ("the points are missing", f"solutions/{LAB}/points.json", None),
-    ("the grader's proxy is missing", f"solutions/grading/{NAME}/proxy.cpp", None),
+    ("what crosses to a worker is missing", f"solutions/grading/{NAME}/remote.hpp", None),
     ("a handout is missing", f"labs/{LAB}/README.md", None),
     ("hints are missing", f"labs/{LAB}/hints.md", None),
     ("a reference is missing", f"solutions/{LAB}/{NAME}.cpp", None),

@@ -114,7 +114,7 @@ foreach(folder IN LISTS labs)
   if(EXISTS "${root}/solutions")
     list(APPEND paths solutions/${folder}/${name}.cpp solutions/${folder}/mistakes.cmake
       solutions/${folder}/mistakes/nan.cpp solutions/${folder}/points.json
-      solutions/grading/${name}/proxy.cpp)
+      solutions/grading/${name}/remote.hpp)
     file(GLOB answers "${root}/solutions/${folder}/*.cpp")
     list(LENGTH answers count)
     if(count LESS 2)

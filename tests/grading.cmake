@@ -6,7 +6,7 @@ function(add_grading_test name part)
     SKIP_REGULAR_EXPRESSION "OK .skipped=" ${ARGN})
 endfunction()
 
-foreach(part IN ITEMS compiling handout intake points proof running sandbox gradescope)
+foreach(part IN ITEMS compiling crossings handout intake points proof running sandbox gradescope)
   add_grading_test(${part} ${part})
 endforeach()
 

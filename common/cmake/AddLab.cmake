@@ -252,22 +252,27 @@ function(_add_closer_look kind)
   set_target_properties(${program} PROPERTIES UNITY_BUILD OFF)
 endfunction()
 
-# Links the lab's tests with solutions/grading/<name>/proxy.cpp in place of an answer. Also builds
+# Links the lab's tests with an answer that asks a worker, see crossings.py. Also builds
 # what an answer is linked with to run elsewhere, see solutions/grading/contract.hpp. CMake compiles
 # no answer for it. build/grade/judges/<name>.json says where all of that is, and how to compile a
 # student's file.
 function(_add_judge)
   set(grading "${PROJECT_SOURCE_DIR}/solutions/grading")
-  if(NOT EXISTS "${grading}/${name}/proxy.cpp")
-    message(STATUS "${folder} is not graded: no solutions/grading/${name}/proxy.cpp")
+  if(NOT EXISTS "${grading}/${name}/remote.hpp")
+    message(STATUS "${folder} is not graded: no solutions/grading/${name}/remote.hpp")
     return()
   endif()
-  set(includes "${grading}" "${grading}/${name}")
+  set(crossings "${CMAKE_CURRENT_BINARY_DIR}/crossings")
+  set(contract "${CMAKE_CURRENT_SOURCE_DIR}/${name}.hpp")
+  add_custom_command(OUTPUT "${crossings}/functions.hpp" "${crossings}/proxy.cpp"
+    COMMAND "${python}" -B "${grading}/crossings.py" "${contract}" "${crossings}"
+    DEPENDS "${contract}" "${grading}/crossings.py" COMMENT "Listing the functions of ${name}" VERBATIM)
+  set(includes "${grading}" "${grading}/${name}" "${crossings}")
   add_executable(${name}_judge_test EXCLUDE_FROM_ALL "${grading}/proxy.cpp" "${grading}/worker.cpp"
-    "${grading}/sleep.cpp" "${grading}/${name}/proxy.cpp")
+    "${grading}/sleep.cpp" "${crossings}/proxy.cpp")
   target_include_directories(${name}_judge_test PRIVATE ${includes})
   target_link_libraries(${name}_judge_test PRIVATE ${name}_test Catch2::Catch2WithMain project_flags)
-  add_library(${name}_driver OBJECT EXCLUDE_FROM_ALL "${grading}/driver.cpp")
+  add_library(${name}_driver OBJECT EXCLUDE_FROM_ALL "${grading}/driver.cpp" "${crossings}/functions.hpp")
   target_include_directories(${name}_driver PRIVATE ${includes})
   target_link_libraries(${name}_driver PRIVATE ${name}_contract project_flags)
   set(options "$<JOIN:$<TARGET_PROPERTY:answer_flags,INTERFACE_COMPILE_OPTIONS>,$<SEMICOLON>>")

@@ -52,8 +52,8 @@ struct Part {
   Box box;
   Vec3 centroid;  ///< [m]
 };
-using Parts = std::vector<Part>;                     // by the mesh's numbers
-using Place = std::vector<std::uint32_t>::iterator;  // in the list of triangles
+using Parts = std::vector<Part>;                     // by the triangle's index
+using Place = std::vector<std::uint32_t>::iterator;  // in Bvh::triangles
 
 /// Returns the box from the least to the greatest centroid in every coordinate.
 Box spread_of_centroids(const Parts& parts, Place begin, Place end) {
@@ -64,10 +64,10 @@ Box spread_of_centroids(const Parts& parts, Place begin, Place end) {
   return spread;
 }
 
-/// Puts a range of the list in order, and returns the beginning of its second part.
+/// Cuts a range of the list in two, and returns where the second part begins.
 using Cut = Place (*)(const Parts& parts, Place begin, Place end, int depth, int bins);
 
-/// Puts the lesser half in front, at any depth.                                           eq. (5)
+/// Puts the lesser half in front. Needs no depth and no bins.                             eq. (5)
 Place halved(const Parts& parts, Place begin, Place end, int /*depth*/, int /*bins*/) {
   const Box spread = spread_of_centroids(parts, begin, end);
   int axis = 0;
@@ -90,7 +90,7 @@ struct Growth {
   int bins;
   Bvh bvh;
 
-  void build(std::uint32_t index, Place begin, Place end, int depth) {
+  void grow(std::uint32_t index, Place begin, Place end, int depth) {
     BvhNode node;  // stored at the end, because `nodes` grows meanwhile
     if (end - begin <= leaf_size) {
       node.first = static_cast<std::uint32_t>(begin - bvh.triangles.begin());
@@ -100,8 +100,8 @@ struct Growth {
       node.first = static_cast<std::uint32_t>(bvh.nodes.size());
       for (int child = 0; child < 2; ++child) bvh.nodes.emplace_back();
       const Place middle = cut(parts, begin, end, depth, bins);
-      build(node.first, begin, middle, depth + 1);
-      build(node.first + 1, middle, end, depth + 1);
+      grow(node.first, begin, middle, depth + 1);
+      grow(node.first + 1, middle, end, depth + 1);
       node.box = merged(bvh.nodes[node.first].box, bvh.nodes[node.first + 1].box);
     }
     bvh.nodes[index] = node;
@@ -120,7 +120,7 @@ Bvh build(const TriangleMesh& mesh, int leaf_size, Cut cut, int bins) {
     tree.bvh.triangles.push_back(i);
   }
   tree.bvh.nodes.emplace_back();
-  tree.build(0, tree.bvh.triangles.begin(), tree.bvh.triangles.end(), 0);
+  tree.grow(0, tree.bvh.triangles.begin(), tree.bvh.triangles.end(), 0);
   for (const std::uint32_t i : tree.bvh.triangles) tree.bvh.corners.push_back(triangle(mesh, i));
   return std::move(tree.bvh);
 }
@@ -151,14 +151,14 @@ Traversal traverse_as_first_written(const Bvh& a, const Bvh& b) {
     const BvhNode& node_b = b.nodes[pair.b];
     ++found.box_tests;
     if (!overlap(node_a.box, node_b.box)) continue;
-    const bool bigger_is_a = a_is_bigger(node_a.box, node_b.box);
-    const BvhNode& bigger = bigger_is_a ? node_a : node_b;
+    const bool into_a = a_is_bigger(node_a.box, node_b.box);
+    const BvhNode& bigger = into_a ? node_a : node_b;
     if (is_leaf(bigger)) {
       found.ends.push_back(pair);
       continue;
     }
     for (const std::uint32_t child : {bigger.first, bigger.first + 1}) {
-      stack.push_back(bigger_is_a ? NodePair{child, pair.b} : NodePair{pair.a, child});
+      stack.push_back(into_a ? NodePair{child, pair.b} : NodePair{pair.a, child});
     }
   }
   std::sort(found.ends.begin(), found.ends.end());
@@ -170,7 +170,7 @@ Traversal traverse_as_first_written(const Bvh& a, const Bvh& b) {
 namespace {
 
 Box moved(const Box& box, const RigidTransform& motion);  // step 5.7
-Box seen(const Box& box, const RigidTransform* by) { return by == nullptr ? box : moved(box, *by); }
+Box in_a(const Box& b, const RigidTransform* by) { return by == nullptr ? b : moved(b, *by); }
 
 /// Finds the pairs of leaves. a_from_b is null if b is at rest.                           eq. (6)
 Traversal pairs_of_leaves(const Bvh& a, const Bvh& b, const RigidTransform* a_from_b) {
@@ -181,7 +181,7 @@ Traversal pairs_of_leaves(const Bvh& a, const Bvh& b, const RigidTransform* a_fr
     stack.pop_back();
     const BvhNode& node_a = a.nodes[pair.a];
     const BvhNode& node_b = b.nodes[pair.b];
-    const Box box_b = seen(node_b.box, a_from_b);
+    const Box box_b = in_a(node_b.box, a_from_b);
     ++found.box_tests;
     if (!overlap(node_a.box, box_b)) continue;
     if (is_leaf(node_a) && is_leaf(node_b)) {
@@ -219,9 +219,9 @@ Signs sides(const Triangle& plane, const Triangle& points) {
   return s;
 }
 
-/// Turns the triangle so that its first corner is alone on its side of a plane, or alone on the
-/// plane. Returns 1 if that side is above the plane or the others are below it, and −1 otherwise.
-int put_alone_first(Triangle& t, const Signs& s) {
+/// Rotates the triangle so that its first corner is alone on its side of a plane, or alone on the
+/// plane. Returns whether that side is below the plane, or the others are above it.
+bool put_alone_first(Triangle& t, const Signs& s) {
   for (std::size_t i = 0; i < 3; ++i) {
     const int s_j = s[(i + 1) % 3];
     const int s_k = s[(i + 2) % 3];
@@ -229,18 +229,18 @@ int put_alone_first(Triangle& t, const Signs& s) {
     const bool touches = s[i] == 0 && s_j * s_k > 0;
     if (!across && !touches) continue;
     t = {t[i], t[(i + 1) % 3], t[(i + 2) % 3]};
-    return across ? s[i] : -s_j;
+    return across ? s[i] < 0 : s_j > 0;
   }
-  throw std::logic_error("all corners are on one side of the plane");
+  throw std::logic_error("no corner is alone");
 }
 
 /// Each triangle crosses the other's plane, so it meets the line of both planes in an interval. Two
 /// orientations tell whether the intervals overlap. Guigue, Devillers 2003, JGT 8(1).     eq. (7)
 bool intervals_overlap(Triangle a, const Signs& side_a, Triangle b, const Signs& side_b) {
-  const bool turn_b_over = put_alone_first(a, side_a) < 0;
-  const bool turn_a_over = put_alone_first(b, side_b) < 0;
-  if (turn_b_over) std::swap(b[1], b[2]);
-  if (turn_a_over) std::swap(a[1], a[2]);
+  const bool swap_b = put_alone_first(a, side_a);
+  const bool swap_a = put_alone_first(b, side_b);
+  if (swap_b) std::swap(b[1], b[2]);
+  if (swap_a) std::swap(a[1], a[2]);
   return orientation(a[0], a[1], b[0], b[1]) <= 0 && orientation(a[0], a[2], b[2], b[0]) <= 0;
 }
 
@@ -259,8 +259,8 @@ bool parted_by_edge(const Triangle& a, const Triangle& b, int x, int y) {
   return false;
 }
 
-/// Returns whether triangles in one plane meet: they do if their projections along all three axes
-/// meet. One projection shows the plane in full, or the line if all corners are on one line.
+/// Returns whether triangles in one plane meet: they do if no edge parts them in any projection,
+/// and one projection shows the plane in full. On one line no edge parts them, but the boxes do.
 bool meet_in_plane(const Triangle& a, const Triangle& b) {
   if (!overlap(box_of(a), box_of(b))) return false;
   for (int x = 0; x < 3; ++x) {
@@ -269,11 +269,11 @@ bool meet_in_plane(const Triangle& a, const Triangle& b) {
   return true;
 }
 
-/// Returns whether a, a segment with at most one end in b's plane, goes through b.
+/// Returns whether a, a segment that b's plane parts or touches at an end, meets b.
 bool segment_pierces(const Triangle& a, const Signs& side_a, const Triangle& b) {
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
-    if (side_a[i] * side_a[j] > 0 || (side_a[i] == 0 && side_a[j] == 0)) continue;
+    if (side_a[i] == side_a[j]) continue;  // this edge does not cross b's plane
     const int s0 = orientation(a[i], a[j], b[0], b[1]);
     const int s1 = orientation(a[i], a[j], b[1], b[2]);
     const int s2 = orientation(a[i], a[j], b[2], b[0]);
@@ -282,7 +282,7 @@ bool segment_pierces(const Triangle& a, const Signs& side_a, const Triangle& b) 
   return false;
 }
 
-/// Returns whether a and b, which are segments or points, have no plane in common.
+/// Returns whether no plane holds both a and b. Here only two segments can be skew.
 bool are_skew(const Triangle& a, const Triangle& b) {
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
@@ -324,7 +324,7 @@ bool triangles_meet(const Triangle& a, const Triangle& b) {
   const Signs side_a = sides(b, a);
   if (one_side(side_a)) return false;
   if (!all_zero(side_a) && !all_zero(side_b)) return intervals_overlap(a, side_a, b, side_b);
-  // A segment or a point has no plane of its own: its corners are in every plane through it.
+  // If b is in a's plane, but a is not in b's, then a has no plane: it is a segment.
   if (!all_zero(side_a)) return segment_pierces(a, side_a, b);
   if (!all_zero(side_b)) return segment_pierces(b, side_b, a);
   return !are_skew(a, b) && meet_in_plane(a, b);
@@ -338,7 +338,7 @@ Intersections find_intersections(const Bvh& a, const Bvh& b) {
 
 namespace {
 
-/// Triangles side by side: those of one bin, or all on one side of a plane.
+/// The triangles of one bin, or all on one side of a plane.
 struct Bin {
   Box box;
   double count = 0.0;
@@ -350,23 +350,24 @@ struct Bin {
   [[nodiscard]] double cost() const { return surface_area(box) * count; }  // A N of eq. (8)
 };
 
+/// Makes the cut of the least cost, out of bins − 1 planes on each axis.                  eq. (8)
 Place cut_by_area(const Parts& parts, Place begin, Place end, int depth, int bins) {
-  if (depth >= 32) return halved(parts, begin, end, depth, bins);  // otherwise it may grow too deep
+  if (depth >= 32) return halved(parts, begin, end, depth, bins);  // adds 32 levels at most
   const Box spread = spread_of_centroids(parts, begin, end);
   const auto size = static_cast<std::size_t>(bins);
   const auto bin_of = [&](std::uint32_t i, int axis) {
     const double width = (spread.high[axis] - spread.low[axis]) / bins;
-    const double place = (parts[i].centroid[axis] - spread.low[axis]) / width;
-    return std::min(static_cast<std::size_t>(place), size - 1);
+    const double bin = (parts[i].centroid[axis] - spread.low[axis]) / width;
+    return std::min(static_cast<std::size_t>(bin), size - 1);
   };
   double least = std::numeric_limits<double>::infinity();
   int best_axis = 0;
   std::size_t best_bin = 0;  // the first beyond the plane
   for (int axis = 0; axis < 3; ++axis) {
-    if (!(spread.high[axis] > spread.low[axis])) continue;  // the place would be 0/0
+    if (!(spread.high[axis] > spread.low[axis])) continue;  // the bin would be 0/0
     std::vector<Bin> filled(size);
     for (Place i = begin; i != end; ++i) filled[bin_of(*i, axis)].add({parts[*i].box, 1.0});
-    std::vector<Bin> right = filled;  // will hold all triangles from a bin on
+    std::vector<Bin> right = filled;  // [i] will hold bin i and those behind it
     for (std::size_t i = size - 1; i > 0; --i) right[i - 1].add(right[i]);
     Bin left;
     for (std::size_t i = 1; i < size; ++i) {
@@ -395,21 +396,21 @@ Bvh build_sah(const TriangleMesh& mesh, int leaf_size, int bins) {
 
 namespace {
 
-/// Returns the box around the moved box.                                                  eq. (9)
+/// Returns a box that holds all of the moved box, with a margin.                          eq. (9)
 Box moved(const Box& box, const RigidTransform& motion) {
   Vec3 c;
   for (int j = 0; j < 3; ++j) c[j] = 0.5 * (box.low[j] + box.high[j]);
   const Vec3 center = common::transformed(motion, c);
   Box around;
   for (int i = 0; i < 3; ++i) {
-    double half = 1e-300;  // more than underflow may lose
-    double size = std::abs(motion.translation[i]);
+    double half = 1e-300;                           // more than underflow may lose
+    double size = std::abs(motion.translation[i]);  // will be |t| + |R| (|c| + h)
     for (int j = 0; j < 3; ++j) {
       const double h = 0.5 * (box.high[j] - box.low[j]);
       half += std::abs(motion.rotation(i, j)) * h;
       size += std::abs(motion.rotation(i, j)) * (std::abs(c[j]) + h);
     }
-    half += 1e-14 * size;  // more than all rounding errors, which are at most 20 · 2⁻⁵³ of it
+    half += 1e-14 * size;  // more than all rounding errors, at most 20 · 2⁻⁵³ of size
     around.low[i] = center[i] - half;
     around.high[i] = center[i] + half;
   }

@@ -103,9 +103,9 @@ add_mutant(${lab} halved_unsorted 5.2
 
 # The parent gets the box of one child.
 add_mutant(${lab} boxes_not_merged 5.2
-  "build(node.first + 1, middle, end, depth + 1);
+  "grow(node.first + 1, middle, end, depth + 1);
       node.box = merged(bvh.nodes[node.first].box, bvh.nodes[node.first + 1].box);"
-  "build(node.first + 1, middle, end, depth + 1);
+  "grow(node.first + 1, middle, end, depth + 1);
       node.box = bvh.nodes[node.first].box;" "merge the boxes of its children")
 
 # Off by one.
@@ -116,8 +116,8 @@ add_mutant(${lab} leaves_too_large 5.2
 
 # Bigger and smaller are mixed up.
 add_mutant(${lab} first_descends_smaller 5.3
-  "const bool bigger_is_a = a_is_bigger(node_a.box, node_b.box);"
-  "const bool bigger_is_a = !a_is_bigger(node_a.box, node_b.box);" "smaller node is descended")
+  "const bool into_a = a_is_bigger(node_a.box, node_b.box);"
+  "const bool into_a = !a_is_bigger(node_a.box, node_b.box);" "smaller node is descended")
 
 # The loop over the children is not one.
 add_mutant(${lab} first_takes_one_child 5.3

@@ -4,9 +4,9 @@
 #include <tuple>
 #include <type_traits>
 
-/// What the two sides of a grader agree on. To add a lab: a folder of its name with
-///   remote.hpp  fields_of each struct that crosses, and the list of functions
-///   proxy.cpp   each function of the contract, a line each, as a call of the worker
+/// What the two sides of a grader agree on. To add a lab: a folder of its name with remote.hpp,
+/// which has fields_of each struct that crosses, and how long an answer may be. The functions are
+/// read off the contract, see crossings.py.
 namespace grading {
 
 /// The descriptors of a worker on which it is asked and answers; what it prints goes elsewhere.

@@ -26,7 +26,7 @@ SEEDS = (917465328104, 350912874663)
 
 def graded_labs() -> list[Lab]:
     return [lab for lab in find_labs(ROOT)
-            if (ROOT / "solutions/grading" / lab.name / "proxy.cpp").exists()]
+            if (ROOT / "solutions/grading" / lab.name / "remote.hpp").exists()]
 
 
 def resting_on(table: Table, step: str) -> set[str]:

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "bvh_traversal.hpp"
 #include "codec.hpp"
-#include "contract.hpp"
+#include "functions.hpp"
 
 namespace grading {
 
@@ -28,10 +27,6 @@ template <>
 inline constexpr int fields_of<student::Intersections> = 3;
 
 /// The answers: trees of some 200 bytes a triangle.
-using LabContract =
-    Contract<1U << 26, &student::box_of, &student::merged, &student::overlap,
-             &student::surface_area, &student::build_median, &student::traverse_as_first_written,
-             &student::traverse, &student::triangles_meet, &student::find_intersections,
-             &student::build_sah, &student::find_intersections_moved, &student::refit>;
+using LabContract = ContractOf<1U << 26>;
 
 }  // namespace grading

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "codec.hpp"
-#include "continuous_particle_cylinder.hpp"
-#include "contract.hpp"
+#include "functions.hpp"
 
 namespace grading {
 
@@ -22,10 +21,6 @@ template <>
 inline constexpr int fields_of<student::MovingEdge> = 5;
 
 /// The answers: times of up to 100,000 particles.
-using LabContract =
-    Contract<1U << 22, &student::time_of_impact_textbook, &student::difference_of_products,
-             &student::time_of_impact, &student::time_of_impact_certified,
-             &student::conservative_advancement, &student::contact_at, &student::times_of_impact,
-             &student::time_of_impact_of_edge>;
+using LabContract = ContractOf<1U << 22>;
 
 }  // namespace grading

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "codec.hpp"
-#include "contract.hpp"
-#include "discrete_particle_cylinder.hpp"
+#include "functions.hpp"
 
 namespace grading {
 
@@ -24,9 +23,6 @@ template <>
 inline constexpr int fields_of<student::SheetContacts> = 3;
 
 /// The answers: lists of up to 100,000 indices.
-using LabContract =
-    Contract<1U << 22, &student::gap, &student::gap_gradient, &student::contact,
-             &student::particles_in_contact, &student::first_sampled_contact, &student::edge_gap,
-             &student::triangle_gap, &student::sheet_contacts, &student::particle_margin>;
+using LabContract = ContractOf<1U << 22>;
 
 }  // namespace grading

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "codec.hpp"
-#include "contract.hpp"
-#include "impulse_response.hpp"
+#include "functions.hpp"
 
 namespace grading {
 
@@ -30,10 +29,6 @@ template <>
 inline constexpr int fields_of<student::Contact> = 2;
 
 /// The answers: lists of impacts.
-using LabContract =
-    Contract<1U << 20, &student::normal_impulse, &student::friction_impulse,
-             &student::normal_correction, &student::tangential_correction,
-             &student::step_by_projection, &student::step_to_impact,
-             &student::inverse_effective_mass, &student::contact_impulse, &student::with_impulse>;
+using LabContract = ContractOf<1U << 20>;
 
 }  // namespace grading

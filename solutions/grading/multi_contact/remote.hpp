@@ -1,8 +1,7 @@
 #pragma once
 
 #include "codec.hpp"
-#include "contract.hpp"
-#include "multi_contact.hpp"
+#include "functions.hpp"
 
 namespace grading {
 
@@ -20,11 +19,6 @@ template <>
 inline constexpr int enumerators_of<student::FrictionRule> = 3;
 
 /// The answers: a matrix with a row and a column for each of some hundred contacts.
-using LabContract =
-    Contract<1U << 22, &student::contact_system, &student::with_impulses, &student::energy_gained,
-             &student::sequential_impulses, &student::gauss_seidel, &student::residual,
-             &student::simultaneous_impulses, &student::generalized_reflections,
-             &student::inelastic_projection, &student::limited, &student::friction_sweeps,
-             &student::coulomb_residual, &student::accelerated>;
+using LabContract = ContractOf<1U << 22>;
 
 }  // namespace grading

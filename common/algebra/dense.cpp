@@ -128,29 +128,29 @@ double largest_eigenvalue(Index rows, double largest_entry,
                           const std::function<Vector(const Vector&)>& product) {
   if (rows == 0 || largest_entry == 0.0) return 0.0;
   // The method of Lanczos: seen along v₁, v₂ ~ A v₁, v₃ ~ A v₂, … A has two diagonals, and after a
-  // few steps it shows its largest eigenvalue. Each v is set against all before it, twice, since
-  // once would leave a rounding of w that is large beside a short w. What is seen only grows, and
-  // ends to rounding: it has to stand for eight steps, because it may rest before a group of
-  // eigenvalues that are almost alike is told apart.
-  std::vector<Vector> v{any_direction(rows).normalized()};
+  // few steps it shows its largest eigenvalue. Each v is set against the two before it alone: what
+  // rounding leaves of the others only shows eigenvalues twice. What is seen only grows, and ends
+  // to rounding: it has to stand for eight steps, because it may rest before a group of eigenvalues
+  // that are almost alike is told apart.
+  Vector before = Vector::Zero(rows);
+  Vector v = any_direction(rows).normalized();
   Tridiagonal seen{{}, {0.0}};
   const auto n = static_cast<double>(rows);
   const double bound = 2.0 * n;  // none is beyond the sum of a row, n at most
   double largest = -bound;
   int steady = 0;
   while (steady < 8) {
-    Vector w = product(v.back()) / largest_entry;
-    seen.d.push_back(w.dot(v.back()));
+    Vector w = product(v) / largest_entry - seen.e.back() * before;
+    seen.d.push_back(w.dot(v));
+    w -= seen.d.back() * v;
     const double last = largest;
     largest = seen.largest(-bound, bound);
     steady = largest <= last + 1e-16 * n ? steady + 1 : 0;
-    for (int again = 0; again < 2; ++again) {
-      for (const Vector& before : v) w -= before.dot(w) * before;
-    }
     const double length = w.norm();
-    if (static_cast<Index>(v.size()) == rows || !(length > 1e-14)) break;  // it has seen all
+    if (!(length > 1e-14)) break;  // it has seen all
     seen.e.push_back(length);
-    v.emplace_back(w / length);
+    before = v;
+    v = w / length;
   }
   return largest * largest_entry;
 }

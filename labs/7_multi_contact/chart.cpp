@@ -101,9 +101,7 @@ render::MeasuredChart column_chart(const char* name, const SharedProblem& proble
       theory("cos²(π/2N) a sweep", problem, render::ladder(1, longest.sweeps), cosine * cosine));
   return solver_chart(
       name, title,
-      "e = 0, all comes to rest; 1 sweep or step, 2, 4 …; A is full; root mean square; "
-      "dashed: theory",
-      all);
+      "e = 0, all comes to rest; 1 sweep or step, 2, 4 …; root mean square; dashed: theory", all);
 }
 
 render::MeasuredChart box_chart(const SharedProblem& problem) {
@@ -111,8 +109,8 @@ render::MeasuredChart box_chart(const SharedProblem& problem) {
   const std::string contacts = std::to_string(problem->falling().contacts.size());
   return solver_chart("chart", balls + " balls in a box fall at once: what is left of their speed",
                       contacts +
-                          " contacts, e = 0, all comes to rest; 1 sweep or step, 2, 4 …; A "
-                          "is full; root mean square",
+                          " contacts, e = 0, all comes to rest; 1 sweep or step, 2, 4 …; "
+                          "root mean square",
                       methods(problem, {1024, 4096, 2048}));
 }
 

@@ -1,6 +1,7 @@
 """Every bad argument gets one clear line and exit code 2, before anything is built."""
 
 import os
+import shutil
 import unittest
 from pathlib import Path
 
@@ -99,7 +100,10 @@ class Launcher(KitTestCase):
 
     def test_without_python_demo_installs_it_or_says_why_it_cannot(self) -> None:
         (self.kit.tools / "python3").unlink()
+        real = Path(shutil.which("id") or "")
+        before = real.read_bytes()
         self.kit.add_tool("id", "echo 1000\n")
+        self.assertEqual(real.read_bytes(), before)
         done = self.kit.tumble("demo")
         self.assert_cause_and_remedy(done)
         self.assertIn("python3 is missing; installing it needs root, and there is no sudo",

@@ -104,6 +104,7 @@ class FakeKit:
 
     def add_program(self, path: Path, body: str) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
+        path.unlink(missing_ok=True)  # a link: root would write over the machine's own program
         path.write_text(f"#!/bin/sh\n{body}", encoding="utf-8")
         path.chmod(0o755)
 

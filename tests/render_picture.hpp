@@ -19,8 +19,8 @@ inline const std::uint8_t* pixel_at(const render::Image& image, int x, int y) {
   return image.rgb.data() + 3 * (static_cast<std::ptrdiff_t>(y) * image.width + x);
 }
 
-/// The share of pixels of which a channel differs by more than 8 of 255: no less than a body's
-/// going missing, and far more than another processor's rounding. All of them where sizes differ.
+/// The share of pixels in which a channel differs by more than 8 of 255. Another processor's
+/// rounding changes far less, and a body that is missing changes more. 1 if the sizes differ.
 double share_that_differs(const render::Image& a, const render::Image& b);
 
 /// A new empty folder, removed at the end.

@@ -13,7 +13,7 @@ using Corners = std::array<Vector, 3>;
 
 Vector operator-(const Vector& a, const Vector& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
-/// A plane's normal, and the sizes of the products of which it is made.
+/// A plane's normal, and the sizes of the products that it is made of.
 struct Normal {
   Vector n, size;
 };

@@ -259,7 +259,7 @@ class Query {
   BoxMap to_a_, to_b_;
   std::vector<TriangleIndices> nodes_;   ///< pairs of children that are not both leaves
   std::vector<TriangleIndices> leaves_;  ///< pairs of leaves
-  const Node* mapped_ = nullptr;         ///< of which b_in_a_ is
+  const Node* mapped_ = nullptr;         ///< b_in_a_ is this node, moved
   Node b_in_a_, a_in_b_;
   WideIntersections found_;
 };

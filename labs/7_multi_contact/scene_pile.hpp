@@ -132,7 +132,7 @@ inline void record(Pile& pile, const std::vector<RigidBody>& bodies,
   pile.contacts = contacts.size();
 }
 
-/// v ← v + dt g + W Jᵀ λ with 0 ≤ λ, J v + φ/dt ≥ 0, of which one is zero; then x ← x + dt v.
+/// v ← v + dt g + W Jᵀ λ with 0 ≤ λ ⊥ J v + φ/dt ≥ 0; then x ← x + dt v.
 /// So no contact closes by more than its gap φ. What overlaps is moved out, but not faster than at
 /// most_outwards, or a deep overlap would explode. λ starts from zero: what a few sweeps have left
 /// undone would add up from step to step.

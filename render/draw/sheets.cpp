@@ -81,7 +81,7 @@ void add_mesh(DrawList& list, const Mesh& mesh, const View& view) {
   list.sheets.push_back(std::move(sheet));
 }
 
-// Front and back are two layers of triangles, of which one faces the eye.
+// Front and back are two layers of triangles, and one of them faces the eye.
 void add_cloth(DrawList& list, const Cloth& cloth, const View& view) {
   if (cloth.rows < 2 || cloth.columns < 2) return;
   std::vector<Corners> triangles;

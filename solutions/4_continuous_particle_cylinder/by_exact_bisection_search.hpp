@@ -35,7 +35,7 @@ inline Path path_of(const MovingParticle& particle, const Cylinder& cylinder) {
   return {x.y(), x.z(), v.y(), v.z(), cylinder.radius, particle.radius};
 }
 
-/// Sizes of which double-double loses nothing, whatever products of four are made of them.
+/// Whether double-double loses nothing of a product of four numbers of this size.
 inline bool is_moderate(double value) {
   const double size = std::abs(value);
   return size == 0.0 || (size >= 1e-60 && size <= 1e60);

@@ -348,7 +348,7 @@ add_mutant(${lab} edge_touch_missed 4.6
 add_mutant(${lab} edge_time_not_refined 4.6
   "constexpr double time_accuracy = 0x1p-50;" "constexpr double time_accuracy = 0x1p-30;" "")
 
-# The check of the arguments is left to the ends, of which one is looked at.
+# Only one end of the edge is checked.
 add_mutant(${lab} edge_checks_one_end 4.6
   "  require_valid(end_b, cylinder, dt);
 " "" "arguments are not checked")

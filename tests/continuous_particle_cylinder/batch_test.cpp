@@ -34,7 +34,7 @@ Query query_of(const Batch& batch, std::size_t i) {
           batch.dt};
 }
 
-/// In an answer that is right otherwise, a particle at the end of which the time is wrong.
+/// For an answer whose times are wrong for the last particles alone.
 constexpr const char* last_missed = "the last particle is left out: let the loop go to the end";
 
 Time batch_time(double time) { return time == infinity ? Time{} : Time{time}; }

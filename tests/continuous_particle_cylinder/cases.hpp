@@ -213,7 +213,7 @@ inline Query lattice_query(Random& random) {
 }
 
 /// A line that touches exactly, or passes ρ by 2⁻⁵² within or beyond: a triangle of whole numbers
-/// near 2⁵⁰, so that ρ² |v|² and (x × v)² have 200 digits, of which 106 are the same.
+/// near 2⁵⁰, so that ρ² |v|² and (x × v)² have 200 digits, and the first 106 are the same.
 inline Query pythagorean_query(Random& random) {
   const auto whole = [&](double low, double high) { return std::floor(random.uniform(low, high)); };
   const double p = whole(0x1p22, 0x1p23);

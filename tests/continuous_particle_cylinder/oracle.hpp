@@ -78,7 +78,7 @@ inline cpp_int discriminant(const Quadratic& f) { return f.b * f.b - f.a * f.c; 
 
 inline Digits50 root_of_discriminant(const Quadratic& f) { return sqrt(Digits50(discriminant(f))); }
 
-/// The two roots, of which the first must be that of an approach: b < 0, discriminant ≥ 0.
+/// The first of two roots. It must be that of an approach: b < 0, discriminant ≥ 0.
 inline Digits50 first_root(const Quadratic& f) {
   return ldexp(Digits50(Digits50(f.c) / (root_of_discriminant(f) - Digits50(f.b))), f.unit);
 }

@@ -15,7 +15,7 @@ RigidBody body(double inverse_mass, const Vec3& diagonal, const Vec3& position,
 }
 
 /// Two bodies, then one and the ground; rough and smooth; a rod that the ground would have to pull;
-/// what parts; straight hits, of which no tangential direction comes.
+/// what parts; straight hits, which have no tangential direction.
 std::vector<ContactInput> contact_inputs() {
   const RigidBody a =
       body(0.5, {1.0, 2.0, 0.5}, {-0.5, 0.25, 0.5}, {1.0, 0.5, 1.5}, {0.5, -1.0, 0.25});

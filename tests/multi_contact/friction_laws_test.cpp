@@ -18,7 +18,7 @@ using tests::Vec3;
 namespace {
 
 /// A block of mass 1 that slides until it rests, from this velocity, by small steps of pressure.
-/// returns  the way, of which the disc leaves v |v|
+/// returns  the way, which is v |v| for the disc
 Vec2 slide_by_answer(Vec2 v, FrictionRule rule) {
   constexpr double pressure = 1.0 / 128.0;
   Vec2 way = Vec2::Zero();

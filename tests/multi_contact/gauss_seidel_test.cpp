@@ -25,7 +25,7 @@ const Matrix& dumb_bell_A() {
   return A;
 }
 
-/// f of which the solution is the least: ½ λ·A λ + b·λ.
+/// The f that is least at the solution: ½ λ·A λ + b·λ.
 double slope_of(const Matrix& A, const Vector& b, const Vector& lambda) {
   return lambda.dot(0.5 * common::product(A, lambda) + b);
 }

@@ -10,8 +10,8 @@ struct AtOnceInput {
   double restitution = 1.0;
 };
 
-/// A row in which one neighbour parts, a rod of which one end would have to pull, a ball between
-/// two walls, and what approaches slowly.
+/// A row in which one neighbour parts, a rod that one end would have to pull, a ball between two
+/// walls, and what approaches slowly.
 std::vector<AtOnceInput> at_once_inputs() {
   return {{row_of_balls(Vector{{1.0, 2.0, 1.0}}, Vector{{1.0, 0.0, 0.25}}).system(), 0.5},
           {cradle(Vector{{1.0, 0.5, -1.0, 0.0}}).system(), 0.25},

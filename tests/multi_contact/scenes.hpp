@@ -7,7 +7,7 @@
 /// The scenes whose outcomes are pinned, as numbers and, for step 7.1, as bodies.
 namespace tests {
 
-/// Bodies by the few velocities that matter, of which each has a mass or an inertia of its own.
+/// Bodies by the few velocities that matter. Each of these has a mass or an inertia of its own.
 struct Scene {
   Matrix J;  ///< u = J v
   Vector W;  ///< inverse masses and inertias

@@ -134,7 +134,7 @@ TEST_CASE("A jam has no solution with restitution and one without", "[7.4]") {
               "no impulses open both contacts of a ball between two walls");
     }
   }
-  // Three balls between two walls, of which the middle one comes.
+  // Three balls between two walls, and the middle one moves.
   const Scene row = tests::cradle(Vector{{0.0, 1.0, 0.0}});
   Scene between = row;
   between.J = Matrix::Zero(4, 3);

@@ -13,7 +13,7 @@ from .console import Failure, Progress, shortened
 KINDS = ("gif", "mp4")
 
 # One palette for the whole film, without the dots that stand for colours between; and what every
-# player takes: sides that are even, colours of which every second is kept.
+# player takes: even sides, and every second colour.
 _FILTERS = {"gif": "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=none",
             "mp4": "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white"}
 _CODECS = {"gif": ["-f", "gif"], "mp4": ["-f", "mp4", "-c:v", "libx264", "-pix_fmt", "yuv420p",

@@ -16,7 +16,7 @@ _KIND_OF = {"stub": 0, "nan": 2, "mistake": 3}
 _RIGHT = 1
 _OUTPUT_LIMIT = 3000
 _WITHOUT_SANITIZERS = "^kit/(architecture|command|grading)/"
-"""Python and CMake, of which they can say nothing; the preset `sanitize` leaves them out, too."""
+"""Python and CMake: sanitizers do not see into them. The preset `sanitize` leaves them out, too."""
 
 
 class Count(NamedTuple):

@@ -89,7 +89,7 @@ def _no_steps(lab: Lab, table: Table, word: str) -> list[StepResult]:
 
 def graded(lab: Lab, table: Table, expected: Sequence[tuple[str, str]], judged: Judged,
            seeds: int, notes: Sequence[str] = ()) -> LabResult:
-    """Points for the steps of which every case passed under every seed."""
+    """Points for a step if every case of it passed under every seed."""
     remarks = list(judged.notes)
     if not judged.compiled:
         return ungraded(lab, table, NO_BUILD, "no test could be run", notes, remarks)._replace(

@@ -119,6 +119,11 @@ add_mutant(${lab} first_descends_smaller 5.3
   "const bool into_a = a_is_bigger(node_a.box, node_b.box);"
   "const bool into_a = !a_is_bigger(node_a.box, node_b.box);" "smaller node is descended")
 
+# A tie is not thought of.
+add_mutant(${lab} first_ties_to_b 5.3
+  "const bool into_a = a_is_bigger(node_a.box, node_b.box);"
+  "const bool into_a = surface_area(node_a.box) > surface_area(node_b.box);" "with the same area")
+
 # The loop over the children is not one.
 add_mutant(${lab} first_takes_one_child 5.3
   "{bigger.first, bigger.first + 1}" "{bigger.first}" "only one child")

@@ -43,6 +43,20 @@ TEST_CASE("Two leaves end the first version", "[5.3]") {
   expect_first(row(1, 1.0, 0.0), row(1, 1.0, 0.0), 1, 2, 2);
 }
 
+TEST_CASE("Of two boxes with the same area that of a is bigger", "[5.3]") {
+  // The same triangles, once in one leaf and once in a leaf each.
+  const common::TriangleMesh mesh = row(4, 1.0, 2.0);
+  const Bvh leaf = tests::tree_of(mesh, 4);
+  const Bvh tree = tests::tree_of(mesh, 1);
+  const auto trial = [&](const char* shapes, int index) {
+    return Trial("5.3 traverse_as_first_written", index, 2)
+        .given("mesh a and b", code(mesh))
+        .given("a, b", tests::Code{shapes});
+  };
+  expect_walk(traverse_as_first_written, false, trial("one leaf, leaves of 1", 1), leaf, tree);
+  expect_walk(traverse_as_first_written, false, trial("leaves of 1, one leaf", 2), tree, leaf);
+}
+
 TEST_CASE("Roots that are apart end the first version without an end", "[5.3]") {
   const Bvh a = tests::tree_of(row(4, 1.0, 2.0), 1);
   common::TriangleMesh far = row(4, 1.0, 2.0);

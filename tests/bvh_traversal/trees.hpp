@@ -89,6 +89,7 @@ inline lab::Bvh tree_of(const common::TriangleMesh& mesh, std::size_t leaf_size)
 struct Walk {
   bool leaves = true;            ///< as completed, else as first written
   bool bigger = true;            ///< else the smaller node is descended
+  bool ties_to_a = true;         ///< else b's node is bigger if both are as large
   bool strict = false;           ///< touching boxes are taken for apart
   bool both_children = true;     ///< else the first only
   bool one_leaf = true;          ///< else a leaf and an inner node are given up
@@ -125,7 +126,8 @@ class Walker {
     const lab::BvhNode& a = a_.nodes[i];
     const lab::BvhNode& b = b_.nodes[j];
     if (!boxes_meet(a.box, b.box, walk_.strict)) return;
-    bool into_a = area(a.box) >= area(b.box);
+    bool into_a = area(a.box) > area(b.box);
+    if (area(a.box) == area(b.box)) into_a = walk_.ties_to_a;
     if (!walk_.bigger) into_a = !into_a;
     const bool leaf_a = a.count > 0;
     const bool leaf_b = b.count > 0;

@@ -14,11 +14,16 @@ struct Named {
 inline std::vector<Named> mistakes_of(bool completed) {
   Walk smaller;
   smaller.bigger = false;
+  Walk ties_to_b;
+  ties_to_b.ties_to_a = false;
   Walk strict;
   strict.strict = true;
   Walk one_child;
   one_child.both_children = false;
   std::vector<Named> named{{smaller, "the smaller node is descended: descend into the bigger one"},
+                           {ties_to_b,
+                            "of two nodes with the same area b's counts as bigger: it is a's, so "
+                            "compare with >="},
                            {strict, "touching boxes are taken for apart: compare with <=, not <"},
                            {one_child, "only one child is visited: visit both"}};
   if (completed) {

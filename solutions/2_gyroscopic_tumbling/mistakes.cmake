@@ -412,11 +412,11 @@ add_mutant(${lab} momentum_of_corrected_moments 2.8
   const Vec3 m = p.conjugate() * momentum_body(tilde, spin);
   return {(spin.world_from_body * p).normalized(), m.cwiseQuotient(tilde)};" "use the body's own")
 
-# Energy and momentum are remembered without their halves.
+# The square of the momentum is remembered without its half.
 add_mutant(${lab} correction_without_halves 2.8
   "const double C = 0.5 * momentum_body(moments, spin).squaredNorm();"
-  "const double C = momentum_body(moments, spin).squaredNorm();" "")
+  "const double C = momentum_body(moments, spin).squaredNorm();" "C lacks its factor")
 
 # The step's square is forgotten.
 add_mutant(${lab} correction_without_dt 2.8
-  "return {dt * dt * (mixed * C" "return {dt * (mixed * C" "")
+  "return {dt * dt * (mixed * C" "return {dt * (mixed * C" "factor of scale is dt")

@@ -67,6 +67,30 @@ add_mutant(${lab} moments_with_absolute_tolerance 2.1
 add_mutant(${lab} moments_with_wide_tolerance 2.1
   "+ 4.0 * eps * greatest" "+ 1e-12 * greatest" "tolerance of the triangle")
 
+# A torque is believed to turn a heavy body faster, as the formula reads without its exponent.
+add_mutant(${lab} acceleration_by_inertia 2.1
+  "return common::inverse(inertia) * (torque" "return inertia * (torque" "multiplies the torques")
+
+# The torque is moved to the other side of the equation with its sign.
+add_mutant(${lab} acceleration_with_flipped_torque 2.1
+  "(torque - omega.cross" "(-torque - omega.cross" "torque has the wrong sign")
+
+# Each of the two factors is right, but in its own frame.
+add_mutant(${lab} energy_of_two_frames 2.1
+  "0.5 * spin.angular_velocity_body.dot(momentum_body(moments, spin))"
+  "0.5 * spin.angular_velocity_body.dot(angular_momentum(moments, spin))" "one is in the world frame")
+
+# The inertia is turned into the world, and omega is left in body axes.
+add_mutant(${lab} momentum_of_world_inertia 2.1
+  "return spin.world_from_body * momentum_body(moments, spin);"
+  "return spin.world_from_body * moments.cwiseProduct(spin.world_from_body.conjugate() * spin.angular_velocity_body);"
+  "R I0 R^T suits omega in the world")
+
+# The moments are believed to be in order, with the greatest last.
+add_mutant(${lab} moments_with_one_triangle 2.1
+  "greatest > (moments.sum() - greatest) + 4.0 * eps * greatest"
+  "moments.z() > moments.x() + moments.y() + 4.0 * eps * greatest" "for some moments only")
+
 # ---- 2.2 ----
 
 # The term is moved to the other side of the equation with its sign.
@@ -124,6 +148,48 @@ add_mutant(${lab} loop_with_old_velocity 2.2
 add_mutant(${lab} loop_with_torque_about_origin 2.2
   "(applied.point - state.position).cross" "applied.point.cross" "about the world's origin")
 
+# A force is taken for an acceleration.
+add_mutant(${lab} loop_without_mass 2.2
+  "next.velocity += dt / body.mass * force;" "next.velocity += dt * force;" "not divided by the mass")
+
+# The cross product is believed to commute.
+add_mutant(${lab} loop_with_arm_swapped 2.2
+  "torque += (applied.point - state.position).cross(applied.force);"
+  "torque += applied.force.cross(applied.point - state.position);" "torque has the wrong sign")
+
+# The torque is assigned where it is to be added.
+add_mutant(${lab} loop_with_last_torque 2.2
+  "torque += (applied.point" "torque = (applied.point" "of the last force counts")
+
+# The step is believed to belong to the torque alone.
+add_mutant(${lab} loop_with_term_without_dt 2.2
+  "dt * angular_acceleration(inertia, state.angular_velocity, torque)"
+  "common::inverse(inertia) * (dt * torque - state.angular_velocity.cross(inertia * state.angular_velocity))"
+  "dt multiplies the torque alone")
+
+# Euler's equations are solved in body axes, with the torque that was summed in the world.
+add_mutant(${lab} loop_with_world_torque_in_body_axes 2.2
+  "dt * angular_acceleration(inertia, state.angular_velocity, torque)"
+  "dt * (R * angular_acceleration(body.moments.asDiagonal(), R.transpose() * state.angular_velocity, torque))"
+  "the torque is in the world frame")
+
+# The same, but what comes out is added to omega in the world.
+add_mutant(${lab} loop_with_change_in_body_axes 2.2
+  "dt * angular_acceleration(inertia, state.angular_velocity, torque)"
+  "dt * angular_acceleration(body.moments.asDiagonal(), R.transpose() * state.angular_velocity, R.transpose() * torque)"
+  "change of omega is in body axes")
+
+# The rule for the change of frame is remembered with the transpose on the wrong side.
+add_mutant(${lab} loop_with_inverse_turned_backwards 2.2
+  "dt * angular_acceleration(inertia, state.angular_velocity, torque)"
+  "dt * (R.transpose() * body.moments.cwiseInverse().asDiagonal() * R) * (torque - state.angular_velocity.cross(inertia * state.angular_velocity))"
+  "R^T I0^-1 R")
+
+# A parabola is believed to be more exact.
+add_mutant(${lab} loop_by_mean_velocity 2.2
+  "next.position += dt * next.velocity;"
+  "next.position += 0.5 * dt * (state.velocity + next.velocity);" "mean of both velocities")
+
 # ---- 2.3 ----
 
 # The term is moved to the other side of the equation with its sign.
@@ -158,6 +224,29 @@ add_mutant(${lab} implicit_turned_in_the_world 2.3
 # The attitude is moved before the velocity is known.
 add_mutant(${lab} implicit_turned_by_old_velocity 2.3
   "common::exponential_map(dt * next)" "common::exponential_map(dt * omega)" "old angular velocity")
+
+# The new velocity is put into one of the two places.
+add_mutant(${lab} residual_of_two_velocities 2.3
+  "dt * next.cross(moments.cwiseProduct(next))"
+  "dt * next.cross(moments.cwiseProduct(angular_velocity_body))" "mixes the old and the new")
+
+# Matrices are believed to commute.
+add_mutant(${lab} jacobian_with_factors_swapped 2.3
+  "moments(i) * omega.cross(e) - m.cross(e)" "moments.cwiseProduct(omega.cross(e)) - m.cross(e)"
+  "are swapped in Newton's")
+
+# The step is forgotten in the derivative.
+add_mutant(${lab} jacobian_without_dt 2.3
+  "moments(i) * e + dt * (moments(i)" "moments(i) * e + 1.0 * (moments(i)" "dt is missing in Newton's")
+
+# Newton's method is believed to add its change.
+add_mutant(${lab} newton_step_added 2.3
+  "omega - common::inverse(J)" "omega + common::inverse(J)" "omega changes with the wrong sign")
+
+# The half of the quaternion's rate is put into the exponential map, too.
+add_mutant(${lab} implicit_turned_by_half 2.3
+  "common::exponential_map(dt * next)" "common::exponential_map(0.5 * dt * next)"
+  "turns by half of omega dt")
 
 # ---- 2.4 ----
 
@@ -228,6 +317,34 @@ Spin step_about_axis" "  return next;
 
 Spin step_about_axis" "not normalised")
 
+# The gyroscopic torque is taken for an acceleration.
+add_mutant(${lab} rate_without_inverse 2.4
+  "-gyroscopic.cwiseQuotient(moments)" "-gyroscopic" "inverse of the inertia is missing")
+
+# A difference of moments is written in the order of the numbers, not of the cycle.
+add_mutant(${lab} rate_with_component_slipped 2.4
+  "-gyroscopic.cwiseQuotient(moments)"
+  "-gyroscopic.cwiseQuotient(Vec3(moments.x(), -moments.y(), moments.z()))" "component 2 of")
+
+# The two middle rates are believed to be taken at the same state.
+add_mutant(${lab} rk4_with_third_rate_by_first 2.4
+  "spin_rate(moments, moved(spin, k2, 0.5 * dt))" "spin_rate(moments, moved(spin, k1, 0.5 * dt))"
+  "third rate is taken where the second")
+
+# All rates after the first are believed to be those of the end.
+add_mutant(${lab} rk4_with_late_middle 2.4
+  "const SpinRate k2 = spin_rate(moments, moved(spin, k1, 0.5 * dt));
+  const SpinRate k3 = spin_rate(moments, moved(spin, k2, 0.5 * dt));"
+  "const SpinRate k2 = spin_rate(moments, moved(spin, k1, dt));
+  const SpinRate k3 = spin_rate(moments, moved(spin, k2, dt));" "middle rates are taken at the end")
+
+# The weights are remembered inside out.
+add_mutant(${lab} rk4_with_weights_inside_out 2.4
+  "Spin next = moved(moved(spin, k1, dt / 6.0), k2, dt / 3.0);
+  next = moved(moved(next, k3, dt / 3.0), k4, dt / 6.0);"
+  "Spin next = moved(moved(spin, k1, dt / 3.0), k2, dt / 6.0);
+  next = moved(moved(next, k3, dt / 6.0), k4, dt / 3.0);" "weights are 2, 1, 1, 2")
+
 # ---- 2.5 ----
 
 # The momentum is believed to be carried along by the body.
@@ -282,6 +399,37 @@ add_mutant(${lab} splitting_one_way 2.5
   now = sub_rotation<1>(moments, now, dt);
   now = sub_rotation<2>(moments, now, dt);" "first order only")
 
+# The momentum is taken for the angular velocity at the start.
+add_mutant(${lab} sub_rotation_by_momentum 2.5
+  "0.5 * dt * now.m(i) / moments(i)" "0.5 * dt * now.m(i) + 0.0 * moments(i)" "m_i stands for omega_i")
+
+# The same, at the end.
+add_mutant(${lab} sub_rotation_returns_momentum 2.5
+  "now.m.cwiseQuotient(moments)" "now.m + 0.0 * moments" "new m is returned as omega")
+
+# An index is taken from the next axis.
+add_mutant(${lab} sub_rotation_with_moment_of_another_axis 2.5
+  "0.5 * dt * now.m(i) / moments(i)" "0.5 * dt * now.m(i) / moments(j)" "moment of another axis")
+
+# The middle one is believed to be the short one.
+add_mutant(${lab} splitting_with_times_swapped 2.5
+  "now = sub_rotation<0>(moments, now, 0.5 * dt);
+  now = sub_rotation<1>(moments, now, 0.5 * dt);
+  now = sub_rotation<2>(moments, now, dt);
+  now = sub_rotation<1>(moments, now, 0.5 * dt);
+  now = sub_rotation<0>(moments, now, 0.5 * dt);"
+  "now = sub_rotation<0>(moments, now, dt);
+  now = sub_rotation<1>(moments, now, dt);
+  now = sub_rotation<2>(moments, now, 0.5 * dt);
+  now = sub_rotation<1>(moments, now, dt);
+  now = sub_rotation<0>(moments, now, dt);" "dt and dt/2 are swapped")
+
+# Two halves about the same axis are believed to be one whole.
+add_mutant(${lab} splitting_with_middle_twice 2.5
+  "now = sub_rotation<2>(moments, now, dt);"
+  "now = sub_rotation<2>(moments, now, 0.5 * dt);
+  now = sub_rotation<2>(moments, now, 0.5 * dt);" "axis 3 turns twice")
+
 # ---- 2.6 ----
 
 # Weight is believed to point along +z.
@@ -317,6 +465,20 @@ add_mutant(${lab} second_kick_with_old_torque 2.6
 add_mutant(${lab} kick_without_inertia 2.6
   "0.5 * dt * torque.cwiseQuotient(moments)" "0.5 * dt * torque + 0.0 * moments"
   "not divided by the moments")
+
+# The arm is e_z of the world, as the weight is.
+add_mutant(${lab} torque_of_a_vertical_arm 2.6
+  "Vec3::UnitZ().cross(down_body);" "(0.0 * down_body + Vec3::UnitZ()).cross(Vec3(0.0, 0.0, -1.0));"
+  "arm and weight are both vertical")
+
+# One moment is believed to be enough for a symmetric body.
+add_mutant(${lab} kick_by_axial_moment 2.6
+  "0.5 * dt * torque.cwiseQuotient(moments)" "0.5 * dt * torque / moments.z()" "kick is divided by I3")
+
+# All three parts are believed to last a half.
+add_mutant(${lab} drift_of_half_a_step 2.6
+  "common::free_symmetric_step(top, kicked(spin), dt)"
+  "common::free_symmetric_step(top, kicked(spin), 0.5 * dt)" "drift lasts dt/2")
 
 # ---- 2.7 ----
 
@@ -363,6 +525,23 @@ add_mutant(${lab} prediction_by_old_velocity 2.7
   "project(predicted_attitude(state.world_from_body, next.angular_velocity, dt));"
   "project(predicted_attitude(state.world_from_body, state.angular_velocity, dt));"
   "old velocities")
+
+# The prediction is believed to be better if it is exact.
+add_mutant(${lab} prediction_by_exponential 2.7
+  "const Quat rate = pure(angular_velocity) * world_from_body;
+  return Quat(world_from_body.coeffs() + 0.5 * dt * rate.coeffs());"
+  "return common::exponential_map(dt * angular_velocity) * world_from_body;" "exponential map turns q")
+
+# Of the two quaternions of an attitude the one with a positive real part is preferred.
+add_mutant(${lab} projection_with_positive_real_part 2.7
+  "  q.normalize();
+  return q;" "  q.normalize();
+  return q.w() < 0.0 ? Quat(-q.coeffs()) : q;" "sign of q_pred is changed")
+
+# What has no direction is believed not to be turned.
+add_mutant(${lab} projection_of_zero 2.7
+  "throw std::invalid_argument(\"project: a quaternion that is zero or not finite\");"
+  "return Quat::Identity();" "is not refused")
 
 # ---- 2.8 ----
 
@@ -412,11 +591,24 @@ add_mutant(${lab} momentum_of_corrected_moments 2.8
   const Vec3 m = p.conjugate() * momentum_body(tilde, spin);
   return {(spin.world_from_body * p).normalized(), m.cwiseQuotient(tilde)};" "use the body's own")
 
-# Energy and momentum are remembered without their halves.
+# The square of the momentum is remembered without its half.
 add_mutant(${lab} correction_without_halves 2.8
   "const double C = 0.5 * momentum_body(moments, spin).squaredNorm();"
-  "const double C = momentum_body(moments, spin).squaredNorm();" "")
+  "const double C = momentum_body(moments, spin).squaredNorm();" "C lacks its factor")
 
 # The step's square is forgotten.
 add_mutant(${lab} correction_without_dt 2.8
-  "return {dt * dt * (mixed * C" "return {dt * (mixed * C" "")
+  "return {dt * dt * (mixed * C" "return {dt * (mixed * C" "factor of scale is dt")
+
+# The differences of moments are written in the order of the numbers, not of the cycle.
+add_mutant(${lab} increment_with_difference_slipped 2.8
+  "I.x() - I.z(), I.y() - I.x());" "I.z() - I.x(), I.y() - I.x());" "three differences")
+
+# The second of the two numbers is believed to be needed for the speed about L alone.
+add_mutant(${lab} moments_without_shift 2.8
+  "(inverse + Vec3::Constant(correction.shift)).cwiseInverse()" "inverse.cwiseInverse()"
+  "shift is left out")
+
+# A third belongs to each of the three inverses.
+add_mutant(${lab} correction_without_third 2.8
+  "inverses * H / 3.0" "inverses * H" "a factor of eq. (26)")

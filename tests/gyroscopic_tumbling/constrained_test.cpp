@@ -17,6 +17,12 @@ namespace {
 constexpr const char* half_is_zero =
     "q does not change, because 1/2 is 0 in whole numbers: write 0.5";
 
+constexpr const char* sign_changed =
+    "the sign of q_pred is changed, so this is the farthest unit quaternion: leave the sign as it "
+    "is";
+constexpr const char* backwards =
+    "q is predicted backwards: add dt omega q / 2, do not subtract it";
+
 /// Four numbers whose sign counts, unlike an attitude's.
 double distance(const Quat& a, const Quat& b) {
   return tests::length(Quat(a.coeffs() - b.coeffs()));
@@ -59,22 +65,29 @@ Quat predicted(const Quat& q, const Vec3& omega, double dt, Real half = 0.5L,
   return narrow(tests::sum(wide(q), half * wide(dt), rate));
 }
 
+Quat turned(const Quat& q, const Vec3& omega, double dt) {
+  return common::exponential_map(dt * omega) * q;
+}
+
 }  // namespace
+
+std::string tests::likely_of_constrained_step() { return likely_of_loop(step_constrained); }
 
 TEST_CASE("The predicted attitude of two radians about z is Quat 1 0 0 1", "[2.7]") {
   const Vec3 omega(0.0, 0.0, 8.0);
   const Quat q = predicted_attitude(Quat::Identity(), omega, 0.25);
-  Trial("2.7 predicted_attitude")
+  tests::trial_of("2.7 predicted_attitude")
       .given("angular_velocity", omega)
       .given("dt", 0.25)
-      .expect_small("distance from Quat(1, 0, 0, 1)", distance(q, Quat(1.0, 0.0, 0.0, 1.0)),
-                    {4.0 * eps, "two products and a sum"},
-                    distance(q, Quat(1.0, 0.0, 0.0, 2.0)) < 1e-9
-                        ? "the factor 1/2 is missing: use half of dt omega q"
-                    : distance(q, Quat::Identity()) == 0.0 ? half_is_zero
-                    : std::abs(q.norm() - 1.0) < 1e-9
-                        ? "it is projected already: leave that to project"
-                        : "");
+      .expect_small(
+          "distance from Quat(1, 0, 0, 1)", distance(q, Quat(1.0, 0.0, 0.0, 1.0)),
+          {4.0 * eps, "two products and a sum"},
+          distance(q, Quat(1.0, 0.0, 0.0, 2.0)) < 1e-9
+              ? "the factor 1/2 is missing: use half of dt omega q"
+          : distance(q, Quat::Identity()) == 0.0                      ? half_is_zero
+          : distance(q, turned(Quat::Identity(), omega, 0.25)) < 1e-9 ? tests::by_exponential
+          : std::abs(q.norm() - 1.0) < 1e-9 ? "it is projected already: leave that to project"
+                                            : "");
 }
 
 TEST_CASE("The predicted attitude goes along half of omega q and leaves the sphere", "[2.7]") {
@@ -91,10 +104,12 @@ TEST_CASE("The predicted attitude goes along half of omega q and leaves the sphe
     if (distance(got, q) == 0.0) likely = half_is_zero;
     if (distance(got, wanted.normalized()) < 1e-12)
       likely = "it is projected already: leave that to project";
+    if (distance(got, turned(q, omega, dt)) < 1e-12) likely = tests::by_exponential;
+    if (distance(got, predicted(q, omega, dt, -0.5L)) < 1e-12) likely = backwards;
     if (distance(got, predicted(q, omega, dt, 0.5L, true)) < 1e-12) {
       likely = "omega stands on the right of q, which suits omega in body axes: put it on the left";
     }
-    Trial("2.7 predicted_attitude", i, 100)
+    tests::trial_of("2.7 predicted_attitude", i, 100)
         .given("world_from_body", q)
         .given("angular_velocity", omega)
         .given("dt", dt)
@@ -110,7 +125,7 @@ TEST_CASE("The projection is the unit quaternion in the same direction", "[2.7]"
     const double size = std::pow(10.0, random.uniform(-3.0, 3.0));
     const Quat q_pred(size * q.coeffs());
     const QuatL exact = wide(q_pred).normalized();
-    const Trial trial = Trial("2.7 project", i, 100).given("q_pred", q_pred);
+    const Trial trial = tests::trial_of("2.7 project", i, 100).given("q_pred", q_pred);
     const Quat got = trial.returned([&] { return project(q_pred); });
     const Quat square(q_pred.coeffs() / q_pred.squaredNorm());
     std::string likely;
@@ -118,6 +133,7 @@ TEST_CASE("The projection is the unit quaternion in the same direction", "[2.7]"
       likely = "it is divided by |q|^2: divide by |q|";
     if (distance(got, q_pred) <= 1e-9 * size)
       likely = "nothing is projected: divide q by its length";
+    if (distance(Quat(-got.coeffs()), narrow(exact)) <= 1e-9) likely = sign_changed;
     trial.expect_small("distance from the nearest unit quaternion", distance(got, narrow(exact)),
                        {8.0 * eps, "a sum of four squares, a root and a division"}, likely);
   }
@@ -128,7 +144,7 @@ TEST_CASE("No unit quaternion is nearer than the projection", "[2.7]") {
   for (int i = 1; i <= 10; ++i) {
     const Quat q_pred(random.uniform(0.2, 2.0) * random.attitude().coeffs());
     const Quat got = project(q_pred);
-    const Trial trial = Trial("2.7 project", i, 10).given("q_pred", q_pred);
+    const Trial trial = tests::trial_of("2.7 project", i, 10).given("q_pred", q_pred);
     trial.expect_small(
         "||q| - 1|", std::abs(got.norm() - 1.0), {8.0 * eps, "a unit quaternion"},
         distance(got, q_pred) == 0.0 ? "nothing is projected: divide q by its length" : "");
@@ -146,9 +162,10 @@ TEST_CASE("The projection holds for lengths from 1e-300 to 1e300", "[2.7]") {
   int index = 0;
   for (const double size : {1e-300, 1e-160, 1.0, 1e160, 1e300}) {
     const Quat q_pred(0.6 * size, 0.0, -0.8 * size, 0.0);
-    const Trial trial = Trial("2.7 project", ++index, 5).given("q_pred", q_pred).suspecting([size] {
-      return why_projected_wrong(size);
-    });
+    const Trial trial =
+        tests::trial_of("2.7 project", ++index, 5).given("q_pred", q_pred).suspecting([size] {
+          return why_projected_wrong(size);
+        });
     const Quat got = trial.returned([&] { return project(q_pred); });
     trial.expect_small("distance from Quat(0.6, 0, -0.8, 0)",
                        distance(got, Quat(0.6, 0.0, -0.8, 0.0)),
@@ -162,9 +179,13 @@ TEST_CASE("Zero has no nearest unit quaternion and NaN has none either", "[2.7]"
   int index = 0;
   for (const Quat& bad :
        {Quat(0.0, 0.0, 0.0, 0.0), Quat(1.0, nan, 0.0, 0.0), Quat(infinity, 0.0, 0.0, 0.0)}) {
-    Trial("2.7 project", ++index, 3)
+    tests::trial_of("2.7 project", ++index, 3)
         .given("q_pred", bad)
-        .expect_throw([&] { return project(bad); }, "no unit quaternion is nearest");
+        .expect_throw([&] { return project(bad); }, "no unit quaternion is nearest",
+                      tests::length(bad) == 0.0
+                          ? "zero is not refused: throw std::invalid_argument for it"
+                          : "what is not finite is not refused: throw std::invalid_argument for "
+                            "it");
   }
 }
 
@@ -178,7 +199,7 @@ TEST_CASE("The prediction and the constrained step turn by the spin even if it i
     const double dt = tests::dt_of_turn(random, omega.norm());
     const Quat& q = state.world_from_body;
     const Quat got = predicted_attitude(q, omega, dt);
-    Trial("2.7 predicted_attitude", i, 40)
+    tests::trial_of("2.7 predicted_attitude", i, 40)
         .given("world_from_body", q)
         .given("angular_velocity", omega)
         .given("dt", dt)

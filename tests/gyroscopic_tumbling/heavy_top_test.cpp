@@ -1,16 +1,12 @@
 #include <numbers>
 
 #include "catch.hpp"
-#include "motions.hpp"
+#include "heavy_top_suspects.hpp"
 
 using namespace lab::gyroscopic_tumbling;
 using tests::eps;
 using tests::narrow;
-using tests::QuatL;
-using tests::Real;
-using tests::SpinL;
 using tests::Trial;
-using tests::VecL;
 using tests::wide;
 
 namespace {
@@ -18,71 +14,9 @@ namespace {
 constexpr const char* kick_drift_kick_function = "2.6 step_kick_drift_kick";
 constexpr HeavyTop course_top{1.25, 0.5, 9.81};
 
-const std::string weightless =
-    "the weight does nothing, because 1/2 is 0 in whole numbers: write 0.5";
-
-struct TopVariation {
-  Real torque = 1;               ///< times the torque
-  bool world_torque = false;     ///< the torque's world components
-  bool body_down = false;        ///< down is −z of the body
-  Real kick = 0.5L;              ///< of dt
-  bool old_torque = false;       ///< in the second kick
-  bool without_inertia = false;  ///< the kick changes ω by T dt
-  bool one_kick = false;         ///< none after the drift
-};
-
-VecL moments_of(const HeavyTop& top) {
-  return {wide(top.transverse_moment), wide(top.transverse_moment), wide(top.axial_moment)};
-}
-
-VecL torque(const HeavyTop& top, const QuatL& q, const TopVariation& v = {}) {
-  const VecL down(0, 0, -1);
-  const VecL arm(0, 0, 1);
-  const Real size = v.torque * static_cast<Real>(top.weight_moment);
-  if (v.world_torque) return size * VecL(q * arm).cross(down);
-  return size * arm.cross(VecL((v.body_down ? q : q.conjugate()) * down));
-}
-
-/// Free motion of a symmetric body: about L in the world by |L|/I1 dt, and about its own axis.
-SpinL drift(const HeavyTop& top, const SpinL& spin, Real dt) {
-  const VecL I = moments_of(top);
-  const VecL L = spin.q * tests::times(I, spin.omega);
-  const VecL axial(0, 0, spin.omega.z() * (1 - I.z() / I.x()) * dt);
-  const QuatL own = tests::turn(axial);
-  return {tests::turn(L / I.x() * dt) * spin.q * own, own.conjugate() * spin.omega};
-}
-
-SpinL step(const HeavyTop& top, const Spin& spin, Real dt, const TopVariation& v = {}) {
-  const VecL I = moments_of(top);
-  const auto change = [&](const VecL& T) {
-    return VecL(v.kick * dt * (v.without_inertia ? T : T.cwiseQuotient(I).eval()));
-  };
-  SpinL now = wide(spin);
-  const VecL first = torque(top, now.q, v);
-  now.omega += change(first);
-  now = drift(top, now, dt);
-  if (!v.one_kick) now.omega += change(v.old_torque ? first : torque(top, now.q, v));
-  return now;
-}
-
-std::vector<tests::Suspect<tests::SpinValue>> suspects_of(const HeavyTop& top, const Spin& spin,
-                                                          double dt) {
-  const auto with = [&](const TopVariation& v) { return narrow(step(top, spin, wide(dt), v)); };
-  return {
-      {with({.torque = -1}), "the torque has the wrong sign: the weight points down"},
-      {with({.world_torque = true}), "the torque is in the world frame: return it in body axes"},
-      {with({.body_down = true}), "down is turned the wrong way: use R^T (-z)"},
-      {with({.kick = 1}), "each kick lasts dt: let it last dt/2"},
-      {with({.kick = 0}), weightless},
-      {with({.old_torque = true}),
-       "the second kick uses the torque from before the drift: compute it again"},
-      {with({.without_inertia = true}),
-       "the kick is not divided by the moments: divide it, component by component"},
-      {with({.one_kick = true}), "the kick after the drift is missing: kick again for dt/2"}};
-}
-
 Trial top_trial(const HeavyTop& top, const Spin& spin, int index = 1, int count = 1) {
-  return tests::spin_trial(kick_drift_kick_function, narrow(moments_of(top)), spin, index, count)
+  return tests::spin_trial(kick_drift_kick_function, narrow(tests::moments_of(top)), spin, index,
+                           count)
       .given("top.weight_moment", top.weight_moment);
 }
 
@@ -122,8 +56,9 @@ double sleeping_speed(const HeavyTop& top, double h) {
 /// Why a top stays as it was: at rest and leaning, the weight must set it going.
 std::string why_at_rest() {
   const Spin start{Quat(0.8, 0.6, 0.0, 0.0), Vec3::Zero()};
+  if (weight_torque_body(course_top, start.world_from_body).isZero()) return tests::zero_torque;
   const bool never = step_kick_drift_kick(course_top, start, 0.1).angular_velocity_body.isZero();
-  return never ? weightless : tests::guarded;
+  return never ? tests::weightless : tests::guarded;
 }
 
 double top_error(int steps) {
@@ -140,12 +75,40 @@ double top_error(int steps) {
   return largest;
 }
 
+struct TopInput {
+  HeavyTop top;
+  Spin spin;
+  double dt;
+};
+
+std::vector<TopInput> top_inputs() {
+  std::vector<TopInput> all;
+  for (const tests::SpinCase& in : tests::spin_cases()) {
+    all.push_back({{in.moments.x(), 0.7 * in.moments.y(), 3.0 * in.moments.z()}, in.spin, in.dt});
+  }
+  return all;
+}
+
 }  // namespace
+
+std::string tests::likely_of_weight_torque() {
+  return likely_over<Vec3>(
+      top_inputs(),
+      [](const auto& in) { return weight_torque_body(in.top, in.spin.world_from_body); },
+      [](const auto& in) { return torque_suspects(in.top, in.spin.world_from_body); });
+}
+
+std::string tests::likely_of_kick_drift_kick() {
+  return likely_over<SpinValue>(
+      top_inputs(),
+      [](const auto& in) { return value_of(step_kick_drift_kick(in.top, in.spin, in.dt)); },
+      [](const auto& in) { return kick_drift_kick_suspects(in.top, in.spin, in.dt); });
+}
 
 TEST_CASE("The weight of a top that lies along y turns it about minus x", "[2.6]") {
   // Turned by -90 degrees about x the body's z axis is the world's y; y x (-z) = -x in both.
   const Quat q(std::sqrt(0.5), -std::sqrt(0.5), 0.0, 0.0);
-  Trial("2.6 weight_torque_body")
+  tests::trial_of("2.6 weight_torque_body")
       .given("top.weight_moment", course_top.weight_moment)
       .given("world_from_body", q)
       .expect(weight_torque_body(course_top, q), Vec3(-9.81, 0.0, 0.0),
@@ -157,17 +120,12 @@ TEST_CASE("The torque of the weight is the arm times the weight seen from the bo
   for (int i = 1; i <= 100; ++i) {
     const HeavyTop top{1.0, 0.5, random.uniform(0.5, 10.0)};
     const Quat q = random.attitude();
-    Trial("2.6 weight_torque_body", i, 100)
+    tests::trial_of("2.6 weight_torque_body", i, 100)
         .given("top.weight_moment", top.weight_moment)
         .given("world_from_body", q)
-        .expect(weight_torque_body(top, q), narrow(torque(top, wide(q))),
+        .expect(weight_torque_body(top, q), narrow(tests::weight_torque(top, wide(q))),
                 {32.0 * eps * top.weight_moment, "a turn of some 20 operations, and a product"},
-                {{narrow(torque(top, wide(q), {.torque = -1})),
-                  "the torque has the wrong sign: the weight points down"},
-                 {narrow(torque(top, wide(q), {.world_torque = true})),
-                  "the torque is in the world frame: return it in body axes"},
-                 {narrow(torque(top, wide(q), {.body_down = true})),
-                  "down is turned the wrong way: use R^T (-z)"}});
+                tests::torque_suspects(top, q));
   }
 }
 
@@ -181,9 +139,9 @@ TEST_CASE("The step of a top kicks for half a step and drifts and kicks again", 
     top_trial(top, spin, i, 100)
         .given("dt", dt)
         .expect(tests::value_of(step_kick_drift_kick(top, spin, dt)),
-                narrow(step(top, spin, wide(dt))),
+                narrow(tests::kick_drift_kick(top, spin, wide(dt))),
                 {512.0 * eps, "two kicks and two turns: some 100 operations on rates up to 30"},
-                suspects_of(top, spin, dt));
+                tests::kick_drift_kick_suspects(top, spin, dt));
   }
 }
 
@@ -197,13 +155,13 @@ TEST_CASE("The same step moves a top that starts at rest or slowly", "[2.6]") {
     tests::expect_paced(
         top_trial(top, paced.spin, i, 40), paced,
         [&] { return step_kick_drift_kick(top, paced.spin, paced.dt); },
-        step(top, paced.spin, wide(paced.dt)), why_at_rest());
+        tests::kick_drift_kick(top, paced.spin, wide(paced.dt)), why_at_rest());
   }
 }
 
 TEST_CASE("The momentum about the vertical and the spin about the axis are kept", "[2.6]") {
   const Spin start = leaning(0.5, 20.0);
-  const Vec3 moments = narrow(moments_of(course_top));
+  const Vec3 moments = narrow(tests::moments_of(course_top));
   Spin spin = start;
   const auto vertical = [&](const Spin& s) {
     return (s.world_from_body * moments.cwiseProduct(s.angular_velocity_body)).z();
@@ -229,7 +187,7 @@ TEST_CASE("Without weight the step of a top is the free motion", "[2.6]") {
     top_trial(top, spin, i, 20)
         .given("dt", 0.3)
         .expect(tests::value_of(step_kick_drift_kick(top, spin, 0.3)),
-                narrow(drift(top, wide(spin), 0.3L)), {256.0 * eps, "two turns"});
+                narrow(tests::drift(top, wide(spin), 0.3L)), {256.0 * eps, "two turns"});
   }
 }
 

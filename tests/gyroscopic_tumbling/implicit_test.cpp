@@ -1,14 +1,9 @@
 #include "catch.hpp"
-#include "motions.hpp"
+#include "implicit_suspects.hpp"
 
 using namespace lab::gyroscopic_tumbling;
 using tests::eps;
-using tests::MatL;
 using tests::narrow;
-using tests::QuatL;
-using tests::Real;
-using tests::SpinL;
-using tests::times;
 using tests::Trial;
 using tests::VecL;
 using tests::wide;
@@ -16,81 +11,43 @@ using tests::wide;
 namespace {
 
 constexpr const char* implicit_function = "2.3 step_implicit";
-constexpr const char* explicit_step =
-    "Newton's Jacobian is I0 alone, which makes an explicit step: add both terms with dt";
-
-struct ImplicitVariation {
-  Real gyroscopic = 1;  ///< times the gyroscopic term, in residual and Jacobian
-  Real turning = 1;     ///< times [ω′]ₓ I0 in the Jacobian
-  Real momentum = 1;    ///< times [I0 ω′]ₓ in the Jacobian
-  int newton_steps = 1;
-  bool world_side = false;    ///< the turn on the left of q
-  bool old_velocity = false;  ///< turns q
-};
-
-MatL cross_matrix(const VecL& w) {
-  MatL matrix;
-  matrix << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
-  return matrix;
-}
-
-VecL residual(const VecL& I, const VecL& old, const VecL& next, Real dt, Real sign = 1) {
-  return times(I, VecL(next - old)) + sign * dt * next.cross(times(I, next));
-}
-
-MatL jacobian(const VecL& I, const VecL& next, Real dt, const ImplicitVariation& v = {}) {
-  const MatL turning = cross_matrix(next) * MatL(I.asDiagonal());
-  const MatL momentum = cross_matrix(times(I, next));
-  return MatL(I.asDiagonal()) + v.gyroscopic * dt * (v.turning * turning - v.momentum * momentum);
-}
-
-SpinL implicit(const Vec3& moments, const Spin& spin, Real dt, const ImplicitVariation& v = {}) {
-  const VecL I = wide(moments);
-  const SpinL old = wide(spin);
-  VecL next = old.omega;
-  for (int i = 0; i < v.newton_steps; ++i) {
-    const VecL F = residual(I, old.omega, next, dt, v.gyroscopic);
-    next -= jacobian(I, next, dt, v).inverse() * F;
-  }
-  const QuatL turn = tests::turn(dt * (v.old_velocity ? old.omega : next));
-  return {v.world_side ? turn * old.q : old.q * turn, next};
-}
-
-std::vector<tests::Suspect<tests::SpinValue>> implicit_suspects(const Vec3& moments,
-                                                                const Spin& spin, double dt) {
-  const auto with = [&](const ImplicitVariation& v) {
-    return narrow(implicit(moments, spin, wide(dt), v));
-  };
-  return {
-      {with({.gyroscopic = -1}), tests::flipped},
-      {with({.gyroscopic = 0}), tests::forgotten},
-      {with({.turning = 0, .momentum = 0}), explicit_step},
-      {with({.momentum = 0}),
-       "the term [I0 omega]x is missing in Newton's Jacobian: subtract dt [I0 omega]x"},
-      {with({.turning = 0}),
-       "the term [omega]x I0 is missing in Newton's Jacobian: add dt [omega]x I0"},
-      {with({.momentum = -1}),
-       "the term [I0 omega]x has the wrong sign in Newton's Jacobian: subtract it"},
-      {with({.newton_steps = 2}), "this is more than one step of Newton's method: make only one"},
-      {with({.newton_steps = 30}), "this is more than one step of Newton's method: make only one"},
-      {with({.world_side = true}),
-       "the turn stands on the left of q, but omega is in body axes: put it on the right"},
-      {with({.old_velocity = true}), "the old angular velocity turns q: use the new one"}};
-}
-
 tests::SpinStep implicit_step(const Vec3& moments) {
   return [moments](const Spin& spin, double dt) { return step_implicit(moments, spin, dt); };
 }
 
 Trial equation_trial(const char* name, const Vec3& moments, const Vec3& omega, double dt, int index,
                      int count) {
-  return Trial(name, index, count)
+  return tests::trial_of(name, index, count)
       .given("moments", moments)
       .given("next_angular_velocity_body", omega)
       .given("dt", dt);
 }
 
 }  // namespace
+
+std::string tests::likely_of_residual() {
+  return likely_over<Vec3>(
+      spin_cases(),
+      [](const auto& in) {
+        return implicit_residual(in.moments, in.spin.angular_velocity_body, in.other, in.dt);
+      },
+      [](const auto& in) {
+        return residual_suspects(in.moments, in.spin.angular_velocity_body, in.other, in.dt);
+      });
+}
+
+std::string tests::likely_of_jacobian() {
+  return likely_over<Mat3>(
+      spin_cases(), [](const auto& in) { return implicit_jacobian(in.moments, in.other, in.dt); },
+      [](const auto& in) { return jacobian_suspects(in.moments, in.other, in.dt); });
+}
+
+std::string tests::likely_of_implicit_step() {
+  return likely_over<SpinValue>(
+      spin_cases(),
+      [](const auto& in) { return value_of(step_implicit(in.moments, in.spin, in.dt)); },
+      [](const auto& in) { return implicit_suspects(in.moments, in.spin, in.dt); });
+}
 
 TEST_CASE("At an unchanged velocity the residual is the gyroscopic impulse", "[2.3]") {
   // (1, 1, 1) x (1, 2, 3) = (1, -2, 1), for half a second.
@@ -100,9 +57,7 @@ TEST_CASE("At an unchanged velocity the residual is the gyroscopic impulse", "[2
       .given("angular_velocity_body", ones)
       .expect(implicit_residual(moments, ones, ones, 0.5), Vec3(0.5, -1.0, 0.5),
               {8.0 * eps, "a few roundings of numbers near one"},
-              {{Vec3(-0.5, 1.0, -0.5), tests::flipped},
-               {Vec3(Vec3::Zero()), tests::forgotten},
-               {Vec3(1.0, -2.0, 1.0), "dt is missing: multiply the gyroscopic term by dt"}});
+              tests::residual_suspects(moments, ones, ones, 0.5));
 }
 
 TEST_CASE("The residual takes the gyroscopic term at the new velocity", "[2.3]") {
@@ -113,20 +68,12 @@ TEST_CASE("The residual takes the gyroscopic term at the new velocity", "[2.3]")
     const Vec3 next = random.vector(4.0);
     const double dt = random.uniform(0.01, 0.3);
     const VecL I = wide(moments);
-    const VecL change = times(I, VecL(wide(next) - wide(old)));
-    const VecL at_old = wide(old).cross(times(I, wide(old)));
     equation_trial("2.3 implicit_residual", moments, next, dt, i, 100)
         .given("angular_velocity_body", old)
         .expect(implicit_residual(moments, old, next, dt),
-                narrow(residual(I, wide(old), wide(next), wide(dt))),
+                narrow(tests::residual(I, wide(old), wide(next), wide(dt))),
                 {32.0 * eps * 100.0, "some 15 operations on terms up to 100"},
-                {{narrow(residual(I, wide(old), wide(next), wide(dt), -1)), tests::flipped},
-                 {narrow(change), tests::forgotten},
-                 {narrow(change + Real(dt) * at_old),
-                  "the gyroscopic term is taken at the old velocity, as in the explicit step: use "
-                  "the new one"},
-                 {narrow(residual(I, wide(old), wide(next), 1)),
-                  "dt is missing: multiply the gyroscopic term by dt"}});
+                tests::residual_suspects(moments, old, next, dt));
   }
 }
 
@@ -136,20 +83,11 @@ TEST_CASE("The Jacobian is the derivative of the residual", "[2.3]") {
     const Vec3 moments = tests::random_moments(random);
     const Vec3 omega = random.vector(4.0);
     const double dt = random.uniform(0.01, 0.3);
-    const auto with = [&](const ImplicitVariation& v) {
-      return Mat3(jacobian(wide(moments), wide(omega), wide(dt), v).cast<double>());
-    };
+    const tests::MatL wanted = tests::jacobian(wide(moments), wide(omega), wide(dt));
     equation_trial("2.3 implicit_jacobian", moments, omega, dt, i, 100)
-        .expect(implicit_jacobian(moments, omega, dt), with({}),
+        .expect(implicit_jacobian(moments, omega, dt), Mat3(wanted.cast<double>()),
                 {16.0 * eps * 20.0, "a few operations per entry, on terms up to 20"},
-                {{with({.gyroscopic = -1}), tests::flipped},
-                 {with({.turning = 0, .momentum = 0}), explicit_step},
-                 {with({.momentum = 0}),
-                  "the term [I0 omega]x is missing in Newton's Jacobian: subtract dt [I0 omega]x"},
-                 {with({.turning = 0}),
-                  "the term [omega]x I0 is missing in Newton's Jacobian: add dt [omega]x I0"},
-                 {with({.momentum = -1}),
-                  "the term [I0 omega]x has the wrong sign in Newton's Jacobian: subtract it"}});
+                tests::jacobian_suspects(moments, omega, dt));
   }
 }
 
@@ -163,11 +101,11 @@ TEST_CASE("An implicit step is one Newton step and a turn by the new velocity", 
     tests::spin_trial(implicit_function, moments, spin, i, 100)
         .given("dt", dt)
         .expect(tests::value_of(step_implicit(moments, spin, dt)),
-                narrow(implicit(moments, spin, wide(dt))),
+                narrow(tests::implicit(moments, spin, wide(dt))),
                 {256.0 * eps * condition,
                  "some 100 operations and a 3 x 3 system of condition "
                  "about that of the moments"},
-                implicit_suspects(moments, spin, dt));
+                tests::implicit_suspects(moments, spin, dt));
   }
 }
 
@@ -179,7 +117,7 @@ TEST_CASE("An implicit step follows its formula at any speed", "[2.3]") {
     tests::expect_paced(
         tests::spin_trial(implicit_function, moments, paced.spin, i, 100), paced,
         [&] { return step_implicit(moments, paced.spin, paced.dt); },
-        implicit(moments, paced.spin, wide(paced.dt)));
+        tests::implicit(moments, paced.spin, wide(paced.dt)));
   }
 }
 
@@ -198,7 +136,7 @@ TEST_CASE("An implicit step makes the wobble shrink by the root of one plus y sq
         .of("the wobble's growth per step")
         .expect(got, 1.0 / std::sqrt(1.0 + y * y),
                 {1e-9, "the wobble's own square, 1e-10, and rounding"},
-                {{std::sqrt(1.0 + y * y), explicit_step}, {1.0, tests::forgotten}});
+                {{std::sqrt(1.0 + y * y), tests::explicit_step}, {1.0, tests::forgotten}});
   }
 }
 

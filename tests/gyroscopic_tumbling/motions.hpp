@@ -101,7 +101,7 @@ inline void expect_order(const std::string& function, const SpinStep& step, int 
                          double order) {
   const double coarse = tumble_error(step, steps);
   const double fine = tumble_error(step, 2 * steps);
-  Trial(function)
+  trial_of(function)
       .given("coarse error", coarse)
       .given("fine error", fine)
       .expect(std::log2(coarse / fine), order,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gyroscopic_tumbling.hpp"
+#include "likely.hpp"
 #include "random.hpp"
 #include "trial.hpp"
 
@@ -11,6 +12,7 @@
 /// one formula serves as the oracle and as the list of suspects.
 namespace tests {
 
+using common::Spin;
 using Real = long double;
 using VecL = Eigen::Matrix<Real, 3, 1>;
 using MatL = Eigen::Matrix<Real, 3, 3>;
@@ -101,9 +103,28 @@ inline common::Spin random_spin(Random& random, double speed = 3.0) {
   return {random.attitude(), random.vector(speed)};
 }
 
+/// Inputs on which mistakes are told apart: of either sign in dt, at ordinary speeds.
+struct SpinCase {
+  common::Vec3 moments;
+  common::Spin spin;
+  common::Vec3 other;  ///< one more angular velocity [rad/s]
+  double dt;
+};
+inline std::vector<SpinCase> spin_cases() {
+  Random random(219);
+  std::vector<SpinCase> all;
+  for (int i = 0; i < 12; ++i) {
+    const common::Vec3 moments = random_moments(random);
+    const common::Spin spin = random_spin(random);
+    const common::Vec3 other = random.vector(3.0);
+    all.push_back({moments, spin, other, i % 2 == 0 ? 0.05 : -0.04});
+  }
+  return all;
+}
+
 inline Trial spin_trial(const std::string& function, const common::Vec3& moments,
                         const common::Spin& spin, int index = 1, int count = 1) {
-  return Trial(function, index, count)
+  return trial_of(function, index, count)
       .given("moments", moments)
       .given("spin.world_from_body", spin.world_from_body)
       .given("spin.angular_velocity_body", spin.angular_velocity_body);

@@ -1,14 +1,11 @@
 #include <complex>
 
 #include "catch.hpp"
-#include "motions.hpp"
+#include "runge_kutta_suspects.hpp"
 
 using namespace lab::gyroscopic_tumbling;
 using tests::eps;
 using tests::narrow;
-using tests::QuatL;
-using tests::Real;
-using tests::SpinL;
 using tests::Trial;
 using tests::VecL;
 using tests::wide;
@@ -16,77 +13,6 @@ using tests::wide;
 namespace {
 
 constexpr const char* rk4_function = "2.4 step_rk4";
-
-struct Rk4Variation {
-  Real gyroscopic = 1;           ///< times the gyroscopic term
-  Real half = 0.5L;              ///< in dq/dt
-  bool world_side = false;       ///< ω q for q ω
-  bool equal_weights = false;    ///< 1, 1, 1, 1 for 1, 2, 2, 1
-  bool short_last = false;       ///< the fourth rate at the middle
-  bool unit_stages = false;      ///< q normalised in between
-  bool unit_end = true;          ///< q normalised at the end
-  bool one_exponential = false;  ///< q turned once, by the mean of the stages' ω
-};
-
-struct RateL {
-  QuatL q;
-  VecL omega;
-};
-
-RateL rate(const VecL& I, const SpinL& spin, const Rk4Variation& v) {
-  const QuatL product =
-      v.world_side ? tests::pure(spin.omega) * spin.q : spin.q * tests::pure(spin.omega);
-  return {QuatL(Eigen::Matrix<Real, 4, 1>(v.half * product.coeffs())),
-          tests::euler_rate(I, spin.omega, v.gyroscopic)};
-}
-
-SpinL moved(const SpinL& spin, const RateL& k, Real dt, bool unit) {
-  SpinL next{tests::sum(spin.q, dt, k.q), VecL(spin.omega + dt * k.omega)};
-  if (unit) next.q.normalize();
-  return next;
-}
-
-SpinL rk4(const Vec3& moments, const Spin& spin, Real dt, const Rk4Variation& v = {}) {
-  const VecL I = wide(moments);
-  const SpinL s1 = wide(spin);
-  const RateL k1 = rate(I, s1, v);
-  const SpinL s2 = moved(s1, k1, dt / 2, v.unit_stages);
-  const RateL k2 = rate(I, s2, v);
-  const SpinL s3 = moved(s1, k2, dt / 2, v.unit_stages);
-  const RateL k3 = rate(I, s3, v);
-  const SpinL s4 = moved(s1, k3, v.short_last ? dt / 2 : dt, v.unit_stages);
-  const RateL k4 = rate(I, s4, v);
-  const Real outer = v.equal_weights ? dt / 4 : dt / 6;
-  const Real inner = v.equal_weights ? dt / 4 : dt / 3;
-  SpinL next = moved(moved(s1, k1, outer, false), k2, inner, false);
-  next = moved(moved(next, k3, inner, false), k4, outer, v.unit_end);
-  if (v.one_exponential) {
-    const VecL mean = (s1.omega + 2 * s2.omega + 2 * s3.omega + s4.omega) / 6;
-    next.q = s1.q * tests::turn(dt * mean);
-  }
-  return next;
-}
-
-std::vector<tests::Suspect<tests::SpinValue>> rk4_suspects(const Vec3& moments, const Spin& spin,
-                                                           double dt) {
-  const auto with = [&](const Rk4Variation& v) { return narrow(rk4(moments, spin, wide(dt), v)); };
-  return {
-      {with({.gyroscopic = -1}), tests::flipped},
-      {with({.gyroscopic = 0}), tests::forgotten},
-      {with({.half = 1}), "the factor 1/2 is missing in dq/dt: multiply by 0.5"},
-      {with({.half = 0}), "q does not change, because 1/2 is 0 in whole numbers: write 0.5"},
-      {narrow(wide(spin)),
-       "nothing changes, because 1/6 and 1/3 are 0 in whole numbers: write 1.0 / 6.0"},
-      {with({.world_side = true}),
-       "omega stands on the left of q, but it is in body axes: put it on the right"},
-      {with({.equal_weights = true}), "the four rates have equal weights: use 1, 2, 2, 1"},
-      {with({.short_last = true}), "the fourth rate is taken at the middle: take it at the end"},
-      {with({.unit_stages = true}),
-       "q is normalised between the rates, which spoils them: normalise only at the end"},
-      {with({.unit_end = false}), "the quaternion is not normalised: divide it by its length"},
-      {with({.one_exponential = true}),
-       "q turns once by the mean of omega, which has only order two: average the rates dq/dt"}};
-}
 
 tests::SpinStep rk4_step(const Vec3& moments) {
   return [moments](const Spin& spin, double dt) { return step_rk4(moments, spin, dt); };
@@ -101,9 +27,8 @@ double amplification(double y) {
 void expect_rate(const Trial& trial, const Vec3& moments, const Spin& spin) {
   const SpinRate got = spin_rate(moments, spin);
   const VecL I = wide(moments);
-  const auto attitude = [&](const Rk4Variation& v) { return narrow(rate(I, wide(spin), v).q); };
-  const auto spinning = [&](Real sign) {
-    return narrow(rate(I, wide(spin), {.gyroscopic = sign}).omega);
+  const auto attitude = [&](const tests::Rk4Variation& v) {
+    return narrow(tests::rate(I, wide(spin), v).q);
   };
   const double speed = spin.angular_velocity_body.norm();
   trial.of("the attitude's rate")
@@ -122,13 +47,27 @@ void expect_rate(const Trial& trial, const Vec3& moments, const Spin& spin) {
               {{shifted(attitude({.world_side = true})),
                 "omega stands on the left of q, but it is in body axes: put it on the right"}});
   trial.of("the angular acceleration")
-      .expect(got.angular_acceleration_body, spinning(1),
+      .expect(got.angular_acceleration_body,
+              narrow(tests::euler_rate(I, wide(spin.angular_velocity_body))),
               {32.0 * eps * 12.0 * speed * speed,
                "some 10 operations, and moments at most a factor 12 apart"},
-              {{spinning(-1), tests::flipped}, {spinning(0), tests::forgotten}});
+              tests::rate_suspects(moments, spin));
 }
 
 }  // namespace
+
+std::string tests::likely_of_rate() {
+  return likely_over<Vec3>(
+      spin_cases(),
+      [](const auto& in) { return spin_rate(in.moments, in.spin).angular_acceleration_body; },
+      [](const auto& in) { return rate_suspects(in.moments, in.spin); });
+}
+
+std::string tests::likely_of_rk4_step() {
+  return likely_over<SpinValue>(
+      spin_cases(), [](const auto& in) { return value_of(step_rk4(in.moments, in.spin, in.dt)); },
+      [](const auto& in) { return rk4_suspects(in.moments, in.spin, in.dt); });
+}
 
 TEST_CASE("The rate of a spin is half of q omega and the equations of Euler", "[2.4]") {
   tests::Random random(241);
@@ -157,9 +96,10 @@ TEST_CASE("A Runge-Kutta step mixes four rates with weights 1 2 2 1", "[2.4]") {
     const double dt = random.uniform(-0.2, 0.2);
     tests::spin_trial(rk4_function, moments, spin, i, 100)
         .given("dt", dt)
-        .expect(tests::value_of(step_rk4(moments, spin, dt)), narrow(rk4(moments, spin, wide(dt))),
+        .expect(tests::value_of(step_rk4(moments, spin, dt)),
+                narrow(tests::rk4(moments, spin, wide(dt))),
                 {1024.0 * eps, "some 150 operations, and rates up to ten times the state"},
-                rk4_suspects(moments, spin, dt));
+                tests::rk4_suspects(moments, spin, dt));
   }
 }
 
@@ -171,7 +111,7 @@ TEST_CASE("A Runge-Kutta step follows its formula at any speed", "[2.4]") {
     tests::expect_paced(
         tests::spin_trial(rk4_function, moments, paced.spin, i, 100), paced,
         [&] { return step_rk4(moments, paced.spin, paced.dt); },
-        rk4(moments, paced.spin, wide(paced.dt)));
+        tests::rk4(moments, paced.spin, wide(paced.dt)));
   }
 }
 

@@ -1,85 +1,17 @@
 #include "catch.hpp"
-#include "motions.hpp"
+#include "splitting_suspects.hpp"
 
 using namespace lab::gyroscopic_tumbling;
 using tests::eps;
 using tests::narrow;
-using tests::QuatL;
 using tests::Real;
-using tests::SpinL;
 using tests::times;
 using tests::Trial;
-using tests::VecL;
 using tests::wide;
 
 namespace {
 
 constexpr const char* splitting_function = "2.5 step_splitting";
-
-struct SplittingVariation {
-  bool trigonometric = false;      ///< the exact turn by ω_i dt
-  Real half = 0.5L;                ///< of ω_i dt
-  bool world_side = false;         ///< p on the left of q
-  bool momentum_forwards = false;  ///< m turns with the body
-  bool omega_turned = false;       ///< ω for m
-  std::vector<int> axes{0, 1, 2, 1, 0};
-  Real share = 0.5L;  ///< of dt for all but the middle one
-};
-
-SpinL about_axis(const VecL& I, const SpinL& spin, int axis, Real dt,
-                 const SplittingVariation& v = {}) {
-  const Real angle = spin.omega(axis) * dt;
-  VecL e = VecL::Zero();
-  e(axis) = 1;
-  QuatL p = v.trigonometric ? tests::turn(angle * e)
-                            : tests::sum({1, 0, 0, 0}, v.half * angle, tests::pure(e));
-  p.normalize();
-  const QuatL back = v.momentum_forwards ? p : p.conjugate();
-  const VecL m = back * (v.omega_turned ? spin.omega : times(I, spin.omega));
-  return {v.world_side ? p * spin.q : spin.q * p, v.omega_turned ? m : m.cwiseQuotient(I)};
-}
-
-SpinL splitting(const Vec3& moments, const Spin& spin, Real dt, const SplittingVariation& v = {}) {
-  SpinL now = wide(spin);
-  const std::size_t middle = v.axes.size() / 2;
-  for (std::size_t i = 0; i < v.axes.size(); ++i) {
-    now = about_axis(wide(moments), now, v.axes[i], i == middle ? dt : v.share * dt, v);
-  }
-  return now;
-}
-
-struct Story {
-  SplittingVariation variation;
-  const char* text;
-};
-
-/// What can be wrong with one sub-rotation, and so with all.
-std::vector<Story> turn_stories() {
-  return {{{.trigonometric = true}, "this turns by omega dt: use tan(half) = omega dt / 2"},
-          {{.half = 1}, "the factor 1/2 is missing in tan(half): use omega dt / 2"},
-          {{.half = 0}, tests::half_is_zero},
-          {{.world_side = true},
-           "the turn stands on the left of q, but it is about a body axis: put it on the right"},
-          {{.momentum_forwards = true},
-           "m turns with the body: L is constant in the world, so turn m the other way"},
-          {{.omega_turned = true},
-           "omega is turned instead of m = I0 omega: turn m, then divide it by the moments"}};
-}
-
-std::vector<tests::Suspect<tests::SpinValue>> splitting_suspects(const Vec3& moments,
-                                                                 const Spin& spin, double dt) {
-  std::vector<Story> stories = turn_stories();
-  stories.push_back({{.axes = {2, 1, 0, 1, 2}}, "the order is 3-2-1-2-3: use 1-2-3-2-1"});
-  stories.push_back({{.axes = {0, 2, 1, 2, 0}}, "the order is 1-3-2-3-1: use 1-2-3-2-1"});
-  stories.push_back({{.axes = {0, 1, 2}, .share = 1},
-                     "this is 1-2-3 for dt each, which is first order only: use 1-2-3-2-1"});
-  stories.push_back({{.share = 1}, "the outer four last dt each: let them last dt/2"});
-  std::vector<tests::Suspect<tests::SpinValue>> suspects;
-  for (const Story& story : stories) {
-    suspects.push_back({narrow(splitting(moments, spin, wide(dt), story.variation)), story.text});
-  }
-  return suspects;
-}
 
 tests::SpinStep splitting_step(const Vec3& moments) {
   return [moments](const Spin& spin, double dt) { return step_splitting(moments, spin, dt); };
@@ -113,6 +45,32 @@ double first_limit(const tests::Wobble& wobble) {
 
 }  // namespace
 
+std::string tests::likely_of_sub_rotation() {
+  struct Input {
+    SpinCase in;
+    int axis;
+  };
+  std::vector<Input> inputs;
+  for (const SpinCase& in : spin_cases()) {
+    for (int axis = 0; axis < 3; ++axis) inputs.push_back({in, axis});
+  }
+  return likely_over<SpinValue>(
+      inputs,
+      [](const Input& i) {
+        return value_of(step_about_axis(i.in.moments, i.in.spin, i.axis, i.in.dt));
+      },
+      [](const Input& i) {
+        return sub_rotation_suspects(i.in.moments, i.in.spin, i.axis, i.in.dt);
+      });
+}
+
+std::string tests::likely_of_splitting_step() {
+  return likely_over<SpinValue>(
+      spin_cases(),
+      [](const auto& in) { return value_of(step_splitting(in.moments, in.spin, in.dt)); },
+      [](const auto& in) { return splitting_suspects(in.moments, in.spin, in.dt); });
+}
+
 TEST_CASE("A sub-rotation turns by twice the arc tangent of half of omega dt", "[2.5]") {
   // omega_3 dt = 2: a quarter turn about z. m = (1, 0, 6) turns back to (0, -1, 6).
   const Vec3 moments(1.0, 2.0, 3.0);
@@ -124,8 +82,7 @@ TEST_CASE("A sub-rotation turns by twice the arc tangent of half of omega dt", "
           tests::value_of(step_about_axis(moments, spin, 2, 1.0)),
           tests::SpinValue{{Quat(std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)), Vec3(0.0, -0.5, 2.0)}},
           {32.0 * eps, "some 30 operations on numbers up to 6"},
-          {{{{Quat(std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)), Vec3(0.0, 0.5, 2.0)}},
-            "m turns with the body: L is constant in the world, so turn m the other way"}});
+          tests::sub_rotation_suspects(moments, spin, 2, 1.0));
 }
 
 TEST_CASE("A sub-rotation turns the attitude forwards and the momentum back", "[2.5]") {
@@ -135,19 +92,13 @@ TEST_CASE("A sub-rotation turns the attitude forwards and the momentum back", "[
     const Spin spin = tests::random_spin(random, 4.0);
     const int axis = i % 3;
     const double dt = random.uniform(-0.5, 0.5);
-    std::vector<tests::Suspect<tests::SpinValue>> suspects;
-    for (const Story& story : turn_stories()) {
-      suspects.push_back(
-          {narrow(about_axis(wide(moments), wide(spin), axis, wide(dt), story.variation)),
-           story.text});
-    }
     tests::spin_trial("2.5 step_about_axis", moments, spin, i, 90)
         .given("axis", static_cast<double>(axis))
         .given("dt", dt)
         .expect(tests::value_of(step_about_axis(moments, spin, axis, dt)),
-                narrow(about_axis(wide(moments), wide(spin), axis, wide(dt))),
+                narrow(tests::about_axis(wide(moments), wide(spin), axis, wide(dt))),
                 {512.0 * eps, "some 50 operations, and moments a factor 12 apart at most"},
-                suspects);
+                tests::sub_rotation_suspects(moments, spin, axis, dt));
   }
 }
 
@@ -160,9 +111,9 @@ TEST_CASE("The splitting takes the axes in the order 1 2 3 2 1", "[2.5]") {
     tests::spin_trial(splitting_function, moments, spin, i, 100)
         .given("dt", dt)
         .expect(tests::value_of(step_splitting(moments, spin, dt)),
-                narrow(splitting(moments, spin, wide(dt))),
+                narrow(tests::splitting(moments, spin, wide(dt))),
                 {2048.0 * eps, "five times some 50 operations, moments a factor 12 apart at most"},
-                splitting_suspects(moments, spin, dt));
+                tests::splitting_suspects(moments, spin, dt));
   }
 }
 
@@ -194,7 +145,7 @@ TEST_CASE("A sub-rotation follows its formula at any speed", "[2.5]") {
         tests::spin_trial("2.5 step_about_axis", moments, paced.spin, i, 90)
             .given("axis", static_cast<double>(axis)),
         paced, [&] { return step_about_axis(moments, paced.spin, axis, paced.dt); },
-        about_axis(wide(moments), wide(paced.spin), axis, static_cast<Real>(paced.dt)),
+        tests::about_axis(wide(moments), wide(paced.spin), axis, static_cast<Real>(paced.dt)),
         why_at_rest());
   }
 }
@@ -207,7 +158,7 @@ TEST_CASE("A splitting step follows its formula at any speed", "[2.5]") {
     tests::expect_paced(
         tests::spin_trial(splitting_function, moments, paced.spin, i, 100), paced,
         [&] { return step_splitting(moments, paced.spin, paced.dt); },
-        splitting(moments, paced.spin, wide(paced.dt)), why_at_rest());
+        tests::splitting(moments, paced.spin, wide(paced.dt)), why_at_rest());
   }
 }
 

@@ -38,7 +38,8 @@ class Runner(unittest.TestCase):
 
     def test_a_crash_or_an_exit_ends_one_case_only(self) -> None:
         ends = self.ends("1.1|It crashes", "1.1|It passes", "1.2|It leaves", "1.2|It fails")
-        self.assertEqual(ends, [("signal", signal.SIGSEGV), ("exit", 0), ("exit", 0), ("exit", 1)])
+        self.assertEqual(ends[:3], [("signal", signal.SIGSEGV), ("exit", 0), ("exit", 0)])
+        self.assertIn(ends[3], [("exit", 1), ("exit", 42)])  # as Catch2 2 and 3 end
 
     def test_what_a_case_prints_is_kept_with_it(self) -> None:
         ended = run("1.1|It prints", "1.1|It passes")
@@ -101,7 +102,9 @@ class Runner(unittest.TestCase):
             self.assertEqual((together[line].end, together[line].value),
                              (alone[line].end, alone[line].value), name)
         for line in (1, 3, 5, 6, 7, 8):
-            self.assertEqual(together[line].output, alone[line].output, names[line])
+            told = [re.sub(r"seeded to: \d+", "", ended[line].output)  # anew by Catch2 3
+                    for ended in (together, alone)]
+            self.assertEqual(*told, names[line])
 
     def test_together_what_another_case_spoils_is_asked_again_alone(self) -> None:
         ended = run("1.1|It passes once in a process", "1.2|It passes once in a process too",

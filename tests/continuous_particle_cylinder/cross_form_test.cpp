@@ -18,6 +18,16 @@ std::optional<double> cross_form(const Query& query) {
   return time_of_impact(query.particle, query.cylinder, query.dt);
 }
 
+tests::TimeSuspects cross_form_suspects(const Query& query) {
+  return tests::explaining(cross_form, query, tests::beliefs_of_cross_form);
+}
+
+tests::Trial cross_form_trial(const Query& query, int index, int count) {
+  return tests::trial(cross_form_step, query, index, count).suspecting([] {
+    return tests::nan_without_root(cross_form);
+  });
+}
+
 /// Where nothing is ill-conditioned: the line passes within 0.7 ρ and the start is 1.5 ρ away or
 /// more, so that neither the discriminant nor c loses more than the half of its size.
 Query deep_query(tests::Random& random, double distance, double speed) {
@@ -36,7 +46,7 @@ constexpr double deep_bound = 8.0 * eps;
 
 void expect_deep(const Query& query, int index, int count,
                  const std::function<tests::TimeSuspects()>& suspects) {
-  const auto trial = tests::trial(cross_form_step, query, index, count);
+  const auto trial = cross_form_trial(query, index, count);
   const Time got{trial.returned([&] { return cross_form(query); })};
   const Time wanted = tests::time_of(query);
   trial.expect(got, wanted,
@@ -45,7 +55,7 @@ void expect_deep(const Query& query, int index, int count,
                suspects);
 }
 void expect_deep(const Query& query, int index, int count) {
-  expect_deep(query, index, count, [&] { return tests::suspects_of(query); });
+  expect_deep(query, index, count, [&] { return cross_form_suspects(query); });
 }
 
 /// The path is a miss, and so it is for a cylinder that is wider by 64 eps and lasts as much
@@ -62,7 +72,7 @@ tests::TimeSuspects none() { return {}; }
 /// missed  what it may be if an impact is missed
 void expect_not_missed(const Query& query, int index, int count,
                        tests::TimeSuspects (*missed)() = none) {
-  const auto trial = tests::trial(cross_form_step, query, index, count);
+  const auto trial = cross_form_trial(query, index, count);
   const Time got{trial.returned([&] { return cross_form(query); })};
   const Time wanted = tests::time_of(query);
   if (wanted.seconds && !got.seconds) {
@@ -70,7 +80,7 @@ void expect_not_missed(const Query& query, int index, int count,
   }
   if (!wanted.seconds && got.seconds && clearly_missed(query)) {
     trial.expect(got, wanted, {0.0, "the path stays outside by more than 64 eps"},
-                 [&] { return tests::suspects_of(query); });
+                 [&] { return cross_form_suspects(query); });
   }
   const double t = got.seconds.value_or(0.0);
   trial.expect_small("time out of [0, dt]", std::max(-t, t - query.dt) + 0.0 * t,
@@ -127,11 +137,10 @@ TEST_CASE("The cross form is right on paths of whole numbers", "[4.2]") {
   const auto cases = tests::hand_cases();
   int index = 0;
   for (const auto& [query, time] : cases) {
-    const auto trial =
-        tests::trial(cross_form_step, query, ++index, static_cast<int>(cases.size()));
+    const auto trial = cross_form_trial(query, ++index, static_cast<int>(cases.size()));
     trial.expect(Time{trial.returned([&, &q = query] { return cross_form(q); })}, Time{time},
                  {8.0 * eps * time.value_or(0.0), "4 ulp"},
-                 [&, &q = query] { return tests::suspects_of(q); });
+                 [&, &q = query] { return cross_form_suspects(q); });
   }
 }
 
@@ -139,15 +148,14 @@ TEST_CASE("The cross form counts touches at the start and in passing and at dt",
   const auto ties = tests::ties();
   int index = 0;
   for (const tests::Tie& tie : ties) {
-    const auto trial =
-        tests::trial(cross_form_step, tie.query, ++index, static_cast<int>(ties.size()));
+    const auto trial = cross_form_trial(tie.query, ++index, static_cast<int>(ties.size()));
     // Deeper by 64 eps of ρ the line would enter √(2 · 64 eps) ρ earlier.
     const double way = std::sqrt(128.0 * eps) * tests::rho(tie.query);
     tests::expect_tie(
         trial, cross_form, tie,
         {way,
          "at a touch in passing an error of a few eps in depth is one of a root of eps in time"},
-        [&] { return tests::suspects_of(tie.query); });
+        [&] { return cross_form_suspects(tie.query); });
   }
 }
 
@@ -170,7 +178,7 @@ TEST_CASE("Far off the cross form keeps the digits that the textbook loses", "[4
       const double D = std::ldexp(1.0, k);
       const Query query = tests::query({3.0, D, z}, {0.0, -2.0, 0.0}, D, 0.75, 0.5);
       const auto suspects = [&] {
-        auto all = tests::suspects_of(query);
+        auto all = cross_form_suspects(query);
         all.push_back({{0.5 * D},
                        "the discriminant cancels, because far off b^2 - a c of rounded squares is "
                        "noise: use the cross product"});
@@ -224,7 +232,7 @@ TEST_CASE("The cross form misses no oblique grazing impact from near or far", "[
   for (int i = 0; i < 1000; ++i) queries.push_back(tests::oblique_grazing_query(random));
   int index = 0;
   for (const Query& query : queries) {
-    const auto trial = tests::trial(cross_form_step, query, ++index, 1000);
+    const auto trial = cross_form_trial(query, ++index, 1000);
     const Time got{trial.returned([&] { return cross_form(query); })};
     const Time wanted = tests::time_of(query);
     if (!wanted.seconds || got.seconds) continue;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "beliefs.hpp"
+#include "certified_beliefs.hpp"
 
 /// Names what is wrong with the loop over a batch, and not with the time of one particle.
 namespace tests {
@@ -112,9 +113,25 @@ inline TimeSuspects beliefs_of_batch(const Query& query) {
   return suspects;
 }
 
+/// Returns the step whose times a batch returns, if that is not 4.3 and its times are not the same.
+inline std::string other_step_in_batch() {
+  namespace lab4 = lab::continuous_particle_cylinder;
+  bool is_certified = true, is_cross_form = true, is_textbook = true;
+  for (const Query& query : plain_queries()) {
+    const auto& [particle, cylinder, dt] = query;
+    const std::optional<double> got = time_in_batch(query);
+    is_certified = is_certified && got == certified(query);
+    is_cross_form = is_cross_form && got == lab4::time_of_impact(particle, cylinder, dt);
+    is_textbook = is_textbook && got == lab4::time_of_impact_textbook(particle, cylinder, dt);
+  }
+  if (is_certified || is_cross_form == is_textbook) return "";
+  return is_cross_form ? "the times are those of step 4.2: return those of 4.3"
+                       : "the times are those of step 4.1: return those of 4.3";
+}
+
 /// Returns what names a mistake in the time of a particle of a batch.
 inline TimeSuspects suspects_in_batch(const Query& query, const Time& got) {
-  for (const std::string& story : {left_out_of_batch(), mixed_in_batch()}) {
+  for (const std::string& story : {left_out_of_batch(), mixed_in_batch(), other_step_in_batch()}) {
     if (!story.empty()) return {{got, story}};
   }
   return explaining(time_in_batch, query, beliefs_of_batch);

@@ -131,6 +131,8 @@ TEST_CASE("A batch is right for particles that leave the surface", "[4.5]") {
   const auto suspects_of = [](const Query& query, const Time& got) {
     const Batch whole = with_tie(tests::ties().front(), 9, 4);
     const bool right = times_of_impact(whole.particles, whole.cylinder, whole.dt)[4] == 0.0;
+    const bool alike = got.seconds == tests::certified(query);  // a mistake in 4.3 is named there
+    if (alike && !got.seconds) return tests::TimeSuspects{};
     if (!right || got.seconds) return tests::suspects_in_batch(query, got);
     return tests::TimeSuspects{{{},
                                 "a start on the surface is missed, because c is rounded: if it is "

@@ -545,7 +545,8 @@ add_mutant(${lab} edge_touch_missed 4.6
 
 # The bracket is as wide as can be told by eye.
 add_mutant(${lab} edge_time_not_refined 4.6
-  "constexpr double time_accuracy = 0x1p-50;" "constexpr double time_accuracy = 0x1p-30;" "too few digits")
+  "constexpr double time_accuracy = 0x1p-50;" "constexpr double time_accuracy = 0x1p-30;"
+  "too few digits")
 
 # The check of the arguments is left to the ends, of which one is looked at.
 add_mutant(${lab} edge_checks_one_end 4.6

@@ -34,6 +34,8 @@ inline double speed_of(const Query& query) {
 /// What an evaluation takes for the gap.
 enum class Gap { distance, squares };
 
+inline constexpr int most_evaluations = 20000;
+
 /// The sequence of the contract in double-double. An evaluation errs by less than 32 of its units
 /// of 2⁻¹⁰⁶ of the lengths, where the bound of the answer's own roundings has 8 eps = 2⁻⁴⁹.
 struct Sequence {
@@ -49,7 +51,7 @@ inline Sequence sequence(const Query& query, double tolerance, double speed,
   const Vec3& v = query.particle.velocity;
   const common::DoubleDouble rho = common::two_sum(query.cylinder.radius, query.particle.radius);
   Sequence result;
-  for (common::DoubleDouble t = 0.0; result.evaluations < 20000;) {
+  for (common::DoubleDouble t = 0.0; result.evaluations < most_evaluations;) {
     const common::DoubleDouble y = x.y() + t * v.y();
     const common::DoubleDouble z = x.z() + t * v.z();
     const common::DoubleDouble squares = y * y + z * z;
@@ -132,6 +134,10 @@ inline std::vector<WrongAdvance> explaining_advances(const Query& query, double 
     const bool is_right = fits(right.time, right.evaluations);
     is_wrong_somewhere = is_wrong_somewhere || !is_right;
     const std::vector<WrongAdvance> theirs = wrong_advances(other, coarse);
+    const bool is_cut = std::any_of(theirs.begin(), theirs.end(), [](const WrongAdvance& one) {
+      return one.evaluations >= most_evaluations;
+    });
+    if (is_cut) continue;
     std::erase_if(left, [&](const WrongAdvance& one) {
       bool is_told = false;
       for (const WrongAdvance& their : theirs) {

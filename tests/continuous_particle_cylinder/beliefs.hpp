@@ -120,8 +120,6 @@ inline TimeSuspects beliefs_of_cross_form(const Query& query) {
            (n.distance - n.rho) / (root - n.b), query);
   add_root(suspects, "the root of the discriminant is left out: divide by -b + sqrt(D)",
            n.c / (n.discriminant - n.b), query);
-  add_root(suspects, "the root has the wrong sign: divide by -b + sqrt(D), not by -b - sqrt(D)",
-           n.c / (-n.b - root), query);
   return suspects;
 }
 

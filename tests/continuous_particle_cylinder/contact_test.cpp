@@ -69,12 +69,16 @@ std::string nan_on_axis() {
 
 Suspects suspects_on_axis(const Query& query) {
   const Vec3& v = query.particle.velocity;
-  return {{Vec3::Zero(), "the normal on the axis is left at zero: there it is +y"},
-          {Vec3(0, 0, 1), "the normal on the axis is +z: the contract says +y"},
-          {Vec3(1, 0, 0), "the normal on the axis is +x: the contract says +y"},
-          {Vec3(0, -1, 0), says_reversed},
-          {Vec3(Vec3(0, -v.y(), -v.z()).normalized()),
-           "the normal is -v made unit: it points from the axis to the particle"}};
+  const Vec3 against(0, -v.y(), -v.z());
+  Suspects suspects{{Vec3::Zero(), "the normal on the axis is left at zero: there it is +y"},
+                    {Vec3(0, 0, 1), "the normal on the axis is +z: the contract says +y"},
+                    {Vec3(1, 0, 0), "the normal on the axis is +x: the contract says +y"},
+                    {Vec3(0, -1, 0), says_reversed}};
+  if (against.norm() > 0.0) {
+    suspects.push_back({Vec3(against.normalized()),
+                        "the normal is -v made unit: it points from the axis to the particle"});
+  }
+  return suspects;
 }
 
 /// What a contact is judged by.

@@ -14,6 +14,7 @@ namespace tests {
 /// What of the edge's inside a wrong answer leaves out or takes for another.
 struct InsideReading {
   bool ignored = false;         ///< only the ends touch
+  bool start_alone = false;     ///< what touches later than at the start, only the ends
   bool line_for_edge = false;   ///< wherever the foot of the perpendicular is
   bool start_missed = false;    ///< only a root of the quartic counts
   bool thin = false;            ///< R where R + r belongs
@@ -122,6 +123,7 @@ inline std::optional<double> EdgeTruth::inside_touch(const InsideReading& readin
       reading.start_anyhow || is_foot_on_edge(reading, sign_at(p_d, {0, 0}), sign_at(q_d, {0, 0}));
   if (!reading.start_missed && foot_at_start && sign_at(f, {0, 0}) <= 0) return 0.0;
 
+  if (reading.start_alone) return std::nullopt;
   const IsolatedRoots roots = isolated_roots(f);
   std::optional<double> last;
   for (Cell cell : roots.cells) {

@@ -39,7 +39,8 @@ add_mutant(${lab} textbook_without_arrival_at_dt 4.1
 
 # What is neither too early nor too late is believed to be a time: NaN is neither.
 add_mutant(${lab} textbook_nan_at_rest 4.1
-  "if (t >= 0.0 && t <= dt) return t;" "if (!(t < 0.0 || t > dt)) return t;" "")
+  "if (t >= 0.0 && t <= dt) return t;" "if (!(t < 0.0 || t > dt)) return t;"
+  "NaN is returned where there is no root")
 
 # b is remembered from the other form of the formula, with b/2.
 add_mutant(${lab} textbook_half_of_b 4.1 "const double b = 2.0 * (" "const double b = (" "b lacks")
@@ -52,6 +53,40 @@ add_mutant(${lab} textbook_start_inside_missed 4.1
 add_mutant(${lab} textbook_too_good 4.1
   "if (c <= 0.0) return 0.0;" "if (c <= dt + infinity) return time_of_impact(particle, cylinder, dt);"
   "not the textbook's formula")
+
+# The discriminant is remembered from the other form of the formula.
+add_mutant(${lab} textbook_discriminant_without_4 4.1
+  "b * b - 4.0 * a * c"
+  "b * b - a * c"
+  "4 a c lacks its 4")
+
+# The divisor is remembered from the other form of the formula.
+add_mutant(${lab} textbook_divided_by_a 4.1
+  "/ (2.0 * a)"
+  "/ a"
+  "divided by a")
+
+# The minus before b is lost.
+add_mutant(${lab} textbook_sign_of_b 4.1
+  "(-b - std::sqrt"
+  "(b - std::sqrt"
+  "b has the wrong sign")
+
+# The square of a sum is believed to be the sum of the squares.
+add_mutant(${lab} textbook_sum_of_squared_radii 4.1
+  "y * y + z * z - rho * rho;
+  if (c <= 0.0) return 0.0;
+  const double t = (-b"
+  "y * y + z * z - (R * R + r * r) + 0.0 * rho;
+  if (c <= 0.0) return 0.0;
+  const double t = (-b"
+  "R^2 + r^2")
+
+# An impact after dt is believed to be one at dt.
+add_mutant(${lab} textbook_clamped_to_dt 4.1
+  "if (t >= 0.0 && t <= dt) return t;"
+  "if (t >= 0.0) return t < dt ? t : dt;"
+  "returned as dt")
 
 # ---- 4.2 ----
 
@@ -117,7 +152,8 @@ add_mutant(${lab} cross_form_tangent_missed 4.2
 
 # The computed root is compared with dt as if it were exact.
 add_mutant(${lab} cross_form_root_against_dt 4.2
-  "return std::min(t, dt);" "return t <= dt ? std::optional(t) : std::nullopt;" "")
+  "return std::min(t, dt);" "return t <= dt ? std::optional(t) : std::nullopt;"
+  "root beyond dt by rounding alone")
 
 # The cross product is written down as it is, though all that counts of it is what is left.
 add_mutant(${lab} cross_form_of_rounded_cross_product 4.2
@@ -133,6 +169,42 @@ add_mutant(${lab} cross_form_wide_margin_of_end 4.2
   "z_end * z_end > lean * rho_squared" "z_end * z_end > (1.0 + 1e-9) * rho_squared"
   "end just outside")
 
+# The two products of x and v are taken for one another.
+add_mutant(${lab} cross_form_of_dot_product 4.2
+  "std::abs(difference_of_products(y, v_z, z, v_y))"
+  "std::abs(difference_of_products(y, v_y, -z, v_z))"
+  "w is x.v")
+
+# The b of the textbook is kept, which is twice as large.
+add_mutant(${lab} cross_form_with_textbook_b 4.2
+  "c / (std::sqrt(std::max(discriminant, 0.0)) - b)"
+  "c / (std::sqrt(std::max(discriminant, 0.0)) - 2.0 * b)"
+  "textbook's 2 in b")
+
+# c is believed to be the gap at the start.
+add_mutant(${lab} cross_form_of_gap 4.2
+  "c / (std::sqrt(std::max(discriminant, 0.0)) - b)"
+  "(std::hypot(y, z) - rho.high) / (std::sqrt(std::max(discriminant, 0.0)) - b)"
+  "c is taken as the gap")
+
+# The speed is believed to be one.
+add_mutant(${lab} cross_form_without_speed 4.2
+  "(w_touching - w) * (w_touching + w)"
+  "(rho.high - w) * (rho.high + w)"
+  "lacks |v|^2")
+
+# The sign of a rounded discriminant is believed.
+add_mutant(${lab} cross_form_without_margin 4.2
+  "w > lean * w_touching)"
+  "(w_touching - w) * (w_touching + w) < 0.0)"
+  "below zero by rounding alone")
+
+# What is outside at dt is believed never to have been inside.
+add_mutant(${lab} cross_form_passage_missed 4.2
+  "if (outside_at_end && -b > lean * (a * dt)) return"
+  "if (outside_at_end) return"
+  "passed through by dt")
+
 # ---- 4.3 ----
 
 # A sum of two doubles is believed to be one.
@@ -141,12 +213,13 @@ add_mutant(${lab} certified_rounded_radius 4.3
 
 # More digits are believed to be enough, without a bound of their error.
 add_mutant(${lab} certified_without_bound 4.3
-  "std::abs(X.high) > 1e-30 * X_terms.value + 1e-280" "std::abs(X.high) > 1e-280" "")
+  "std::abs(X.high) > 1e-30 * X_terms.value + 1e-280" "std::abs(X.high) > 1e-280" "sign is trusted")
 
 # The rounded root decides whether it is past dt.
 add_mutant(${lab} certified_rounded_arrival 4.3
   "if (at_end > 0 && sign(x.slope, terms.slope, &Exact::slope) < 0) return infinity;"
-  "if (at_end > 0 && (x.c / (sqrt(x.discriminant) - x.b)).high > dt) return infinity;" "")
+  "if (at_end > 0 && (x.c / (sqrt(x.discriminant) - x.b)).high > dt) return infinity;"
+  "rounded t* is compared with dt")
 
 # Zero is taken to be outside.
 add_mutant(${lab} certified_start_touching_missed 4.3
@@ -207,6 +280,50 @@ add_mutant(${lab} advancement_at_rest_not_evaluated 4.3
 add_mutant(${lab} advancement_wide_tolerance 4.3
   "gap <= tolerance ||" "gap <= (1.0 + 1e-8) * tolerance ||" "tolerance is taken too wide")
 
+# What is outside at dt is believed never to have been inside.
+add_mutant(${lab} certified_passage_missed 4.3
+  "if (at_end > 0 && sign(x.slope, terms.slope, &Exact::slope) < 0) return infinity;"
+  "if (at_end > 0) return infinity;"
+  "passed through by dt")
+
+# The order of the decisions is believed not to matter.
+add_mutant(${lab} certified_approach_asked_first 4.3
+  "if (sign(x.c, terms.c, &Exact::c) <= 0) return 0.0;
+  if (sign(x.b, terms.b, &Exact::b) >= 0) return infinity;"
+  "if (sign(x.b, terms.b, &Exact::b) >= 0) return infinity;
+  if (sign(x.c, terms.c, &Exact::c) <= 0) return 0.0;"
+  "ask c <= 0 before b >= 0")
+
+# A sign that is certain is believed to have all its digits.
+add_mutant(${lab} certified_time_never_exact 4.3
+  ": exact_root(quadratic<ExactNumber>(m, dt));"
+  ": (x.c / (root - x.b)).high;"
+  "lost digits")
+
+# The tolerance is taken for a share of the size.
+add_mutant(${lab} advancement_relative_tolerance 4.3
+  "if (gap <= tolerance ||"
+  "if (gap <= tolerance * (R + r) ||"
+  "multiplied by R + r")
+
+# The gap is taken from the squares, as in the quadratic.
+add_mutant(${lab} advancement_of_squares 4.3
+  "std::hypot(y + t * v_y, z + t * v_z) - (R + r);"
+  "std::pow(std::hypot(y + t * v_y, z + t * v_z), 2) - (R + r) * (R + r);"
+  "difference of squares")
+
+# The particle is taken for a point.
+add_mutant(${lab} advancement_without_particle_radius 4.3
+  "z + t * v_z) - (R + r);"
+  "z + t * v_z) - R - 0.0 * r;"
+  "radius is forgotten")
+
+# The loop is written to end before dt.
+add_mutant(${lab} advancement_before_dt 4.3
+  "for (double t = 0.0; t <= dt;)"
+  "for (double t = 0.0; t < dt;)"
+  "arrival at dt is lost")
+
 # ---- 4.4 ----
 
 # The normal is taken to point at what it is the normal of.
@@ -239,7 +356,57 @@ add_mutant(${lab} contact_gap_without_particle_radius 4.4
   "particle's radius is forgotten")
 
 # The axis is believed never to be met.
-add_mutant(${lab} contact_nan_on_axis 4.4 "if (size > 0.0) n" "n" "")
+add_mutant(${lab} contact_nan_on_axis 4.4 "if (size > 0.0) n" "n" "divided by 0 on the axis")
+
+# The particle is believed to hit head-on.
+add_mutant(${lab} contact_normal_against_velocity 4.4
+  "if (size > 0.0) n = {0.0, y / std::hypot(y, z), z / std::hypot(y, z)};"
+  "if (size > 0.0) n = Vec3(0.0 * (y + z), -v.y(), -v.z()).normalized();"
+  "normal is -v")
+
+# The direction is believed not to change on the way.
+add_mutant(${lab} contact_normal_of_start 4.4
+  "{0.0, y / std::hypot(y, z), z / std::hypot(y, z)}"
+  "Vec3(0.0 * (y + z), x.y(), x.z()).normalized()"
+  "normal is that of the start")
+
+# The distance is believed to be R + r.
+add_mutant(${lab} contact_normal_by_radii 4.4
+  "{0.0, y / std::hypot(y, z), z / std::hypot(y, z)}"
+  "Vec3(0.0 * (y + z), p.y(), p.z()) / (cylinder.radius + r)"
+  "divided by R + r")
+
+# The two points are believed to be one.
+add_mutant(${lab} contact_point_from_particle 4.4
+  "{p.x(), cylinder.radius * n.y(), cylinder.radius * n.z()}"
+  "{p.x(), p.y() - r * n.y(), p.z() - r * n.z()}"
+  "the point on the particle")
+
+# The points are assigned the wrong way round.
+add_mutant(${lab} contact_points_swapped 4.4
+  "  contact.time = time;"
+  "  std::swap(contact.point_on_cylinder, contact.point_on_particle);
+  contact.time = time;"
+  "two points are swapped")
+
+# Motion along x plays no part in detection, so it is left out here, too.
+add_mutant(${lab} contact_without_motion_along_x 4.4
+  "const Vec3 p = x + time * v;"
+  "const Vec3 p = x + time * Vec3(0.0, v.y(), v.z());"
+  "motion along x is left out")
+
+# The distance is taken from a point, where it is from an axis.
+add_mutant(${lab} contact_gap_keeps_x 4.4
+  "contact.gap = std::hypot(p.y(), p.z()) - ("
+  "contact.gap = p.norm() - ("
+  "x is kept in the gap")
+
+# The division by 0 is avoided, and nothing is put in its place.
+add_mutant(${lab} contact_zero_normal_on_axis 4.4
+  "  if (size > 0.0) n ="
+  "  n = Vec3::Zero();
+  if (size > 0.0) n ="
+  "left at zero")
 
 # ---- 4.5 ----
 
@@ -258,7 +425,7 @@ add_mutant(${lab} batch_minus_one_for_none 4.5
 add_mutant(${lab} batch_nan_for_none 4.5
   "  return times;"
   "  for (double& time : times) time = time < infinity ? time : NAN;
-  return times;" "")
+  return times;" "returned as NaN")
 
 # Only the first of the particles is looked at.
 add_mutant(${lab} batch_checks_first_particle 4.5
@@ -304,6 +471,38 @@ add_mutant(${lab} batch_of_none_not_checked 4.5
   common::require_not_negative(dt, \"dt\");
   std::vector" "if there are no particles")
 
+# No impact is told by the end of the step.
+add_mutant(${lab} batch_dt_for_none 4.5
+  "  return times;"
+  "  for (double& time : times) time = std::min(time, dt);
+  return times;"
+  "returned as dt")
+
+# The rest after the last register is forgotten.
+add_mutant(${lab} batch_of_full_blocks 4.5
+  "for (std::size_t i = 0; i < y.size(); ++i) {"
+  "for (std::size_t i = 0; i < y.size() / 4 * 4; ++i) {"
+  "last full block")
+
+# The index of the block is used for that of the particle.
+add_mutant(${lab} batch_with_mixed_lanes 4.5
+  "certified_time({y[i], z[i], v_y[i], v_z[i],"
+  "certified_time({y[i], z[i], v_y[i / 4 * 4], v_z[i / 4 * 4],"
+  "different particles are mixed")
+
+# The arrays are passed in the wrong order.
+add_mutant(${lab} batch_velocities_swapped 4.5
+  "certified_time({y[i], z[i], v_y[i], v_z[i],"
+  "certified_time({y[i], z[i], v_z[i], v_y[i],"
+  "velocity_y and velocity_z are swapped")
+
+# The fast form is believed to be good enough for many.
+add_mutant(${lab} batch_by_cross_form 4.5
+  "    times[i] = certified_time({y[i], z[i], v_y[i], v_z[i], cylinder.radius, r}, dt);"
+  "    const MovingParticle one{{0.0, y[i], z[i]}, {0.0, v_y[i], v_z[i]}, r};
+    times[i] = time_of_impact(one, cylinder, dt).value_or(infinity);"
+  "those of step 4.2")
+
 # ---- 4.6 ----
 
 # A cloth's particles are believed to stand for its edges.
@@ -346,9 +545,57 @@ add_mutant(${lab} edge_touch_missed 4.6
 
 # The bracket is as wide as can be told by eye.
 add_mutant(${lab} edge_time_not_refined 4.6
-  "constexpr double time_accuracy = 0x1p-50;" "constexpr double time_accuracy = 0x1p-30;" "")
+  "constexpr double time_accuracy = 0x1p-50;" "constexpr double time_accuracy = 0x1p-30;"
+  "too few digits")
 
 # Only one end of the edge is checked.
 add_mutant(${lab} edge_checks_one_end 4.6
   "  require_valid(end_b, cylinder, dt);
 " "" "arguments are not checked")
+
+# The sign of the product of both conditions is guessed.
+add_mutant(${lab} edge_foot_on_wrong_side 4.6
+  "ExactPolynomial{} - dot(p, d) * dot(q, d)"
+  "dot(p, d) * dot(q, d)"
+  "wrong side of an end")
+
+# One of the two conditions is believed to imply the other.
+add_mutant(${lab} edge_foot_one_sided 4.6
+  "ExactPolynomial{} - dot(p, d) * dot(q, d)"
+  "ExactPolynomial{} - dot(p, d)"
+  "one end only")
+
+# The foot is checked for roots only.
+add_mutant(${lab} edge_line_at_start 4.6
+  "if (inside.f[0].sign() <= 0 && inside.foot[0].sign() > 0) return 0.0;"
+  "if (inside.f[0].sign() <= 0) return 0.0;"
+  "at the start")
+
+# The cross product is taken for the distance of the line.
+add_mutant(${lab} edge_without_length 4.6
+  "{C * C - rho * rho * dot(d, d),"
+  "{C * C - rho * rho,"
+  "lacks |q - p|^2")
+
+# The ends are taken for points.
+add_mutant(${lab} edge_ends_without_radius 4.6
+  "  const double end = std::min("
+  "  const auto motion = [](const MovingParticle& p, const Cylinder& c) {
+    const auto& [x, v, r] = p;
+    return Motion{x.y(), x.z(), v.y(), v.z(), c.radius, 0.0 * r};
+  };
+  const double end = std::min("
+  "forgotten for its ends")
+
+# The edge is believed to begin the contact at a.
+add_mutant(${lab} edge_with_one_end 4.6
+  "std::min(certified_time(motion(end_a, cylinder), dt),
+                              certified_time(motion(end_b, cylinder), dt));"
+  "certified_time(motion(end_a, cylinder), dt);"
+  "one end is left out")
+
+# The parameter of Bernstein's form is taken for a time.
+add_mutant(${lab} edge_share_for_time 4.6
+  "return s ? *s * T :"
+  "return s ? *s :"
+  "share s")

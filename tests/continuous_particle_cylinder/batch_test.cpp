@@ -1,6 +1,7 @@
 #include <functional>
 
 #include "bad_input.hpp"
+#include "batch_beliefs.hpp"
 #include "catch.hpp"
 #include "narrow.hpp"
 
@@ -20,13 +21,6 @@ struct Batch {
   double dt = 1.0;
 };
 
-void add(MovingParticles& particles, const Vec3& position, const Vec3& velocity) {
-  particles.y.push_back(position.y());
-  particles.z.push_back(position.z());
-  particles.velocity_y.push_back(velocity.y());
-  particles.velocity_z.push_back(velocity.z());
-}
-
 Query query_of(const Batch& batch, std::size_t i) {
   const MovingParticles& p = batch.particles;
   return {{{0.0, p.y[i], p.z[i]}, {0.0, p.velocity_y[i], p.velocity_z[i]}, p.radius},
@@ -34,15 +28,10 @@ Query query_of(const Batch& batch, std::size_t i) {
           batch.dt};
 }
 
-/// For an answer whose times are wrong for the last particles alone.
-constexpr const char* last_missed = "the last particle is left out: let the loop go to the end";
-
-Time batch_time(double time) { return time == infinity ? Time{} : Time{time}; }
-
-/// suspects_of  a query of the batch, whose time is wrong
-void expect_batch(
-    const Batch& batch,
-    const std::function<tests::TimeSuspects(const Query&)>& suspects_of = tests::suspects_of) {
+/// suspects_of  a query of the batch, whose time is wrong, and this time
+void expect_batch(const Batch& batch,
+                  const std::function<tests::TimeSuspects(const Query&, const Time&)>& suspects_of =
+                      tests::suspects_in_batch) {
   const std::size_t size = batch.particles.y.size();
   const std::vector<double> got = times_of_impact(batch.particles, batch.cylinder, batch.dt);
   tests::Trial(batch_step)
@@ -52,15 +41,10 @@ void expect_batch(
   for (std::size_t i = 0; i < size; ++i) {
     const Query query = query_of(batch, i);
     const auto trial =
-        tests::trial(batch_step, query, static_cast<int>(i + 1), static_cast<int>(size));
-    const auto suspects = [&] {
-      if (i > 0 && i + 1 == size) return tests::TimeSuspects{{batch_time(got[i]), last_missed}};
-      auto all = suspects_of(query);
-      all.push_back(
-          {{-1.0}, "no impact is returned as -1, but infinity does that: return infinity"});
-      return all;
-    };
-    tests::expect_exact(trial, batch_time(got[i]), query, 1.0, suspects);
+        tests::trial(batch_step, query, static_cast<int>(i + 1), static_cast<int>(size))
+            .suspecting(tests::nan_for_none);
+    const Time time = tests::batch_time(got[i]);
+    tests::expect_exact(trial, time, query, 1.0, [&] { return suspects_of(query, time); });
   }
 }
 
@@ -71,7 +55,7 @@ Batch random_batch(tests::Random& random, std::size_t size) {
   batch.dt = random.uniform(0.5, 2.0);
   for (std::size_t i = 0; i < size; ++i) {
     const Vec3 position = random.vector(4.0);
-    add(batch.particles, position, random.vector(5.0));
+    tests::add(batch.particles, position, random.vector(5.0));
   }
   return batch;
 }
@@ -84,9 +68,9 @@ Batch leaving_batch(tests::Random& random, std::size_t size) {
     const double place = random.uniform(0.0, 6.2);
     const Vec3 out(0.0, std::cos(place), std::sin(place));
     const Vec3 position(0.0, tests::nudged(random, rho * out.y(), 3), rho * out.z());
-    add(batch.particles, position, random.uniform(0.5, 2.0) * out);
+    tests::add(batch.particles, position, random.uniform(0.5, 2.0) * out);
   }
-  add(batch.particles, {0.0, 2.0 * rho, 0.0}, {0.0, -3.0 * rho / batch.dt, 0.0});
+  tests::add(batch.particles, {0.0, 2.0 * rho, 0.0}, {0.0, -3.0 * rho / batch.dt, 0.0});
   return batch;
 }
 
@@ -98,9 +82,9 @@ Batch with_tie(const tests::Tie& tie, std::size_t size, std::size_t place) {
   batch.dt = tie.query.dt;
   for (std::size_t i = 0; i < size; ++i) {
     if (i == place) {
-      add(batch.particles, tie.query.particle.position, tie.query.particle.velocity);
+      tests::add(batch.particles, tie.query.particle.position, tie.query.particle.velocity);
     } else {
-      add(batch.particles, {0, 10, 3}, {0, -7, 0.5});
+      tests::add(batch.particles, {0, 10, 3}, {0, -7, 0.5});
     }
   }
   return batch;
@@ -114,7 +98,8 @@ TEST_CASE("A batch is right on paths of whole numbers", "[4.5]") {
   batch.cylinder.radius = 4.0;
   batch.dt = 10.0;
   for (const auto& [query, time] : tests::hand_cases()) {
-    if (query.dt == 10.0) add(batch.particles, query.particle.position, query.particle.velocity);
+    if (query.dt == 10.0)
+      tests::add(batch.particles, query.particle.position, query.particle.velocity);
   }
   expect_batch(batch);
 }
@@ -143,10 +128,12 @@ TEST_CASE("Touches in the middle of a batch are decided as for one particle", "[
 // For about a third of them c <= 0, but not c as the sum of rounded squares, or the other way
 // round.
 TEST_CASE("A batch is right for particles that leave the surface", "[4.5]") {
-  const auto suspects_of = [](const Query& query) {
+  const auto suspects_of = [](const Query& query, const Time& got) {
     const Batch whole = with_tie(tests::ties().front(), 9, 4);
     const bool right = times_of_impact(whole.particles, whole.cylinder, whole.dt)[4] == 0.0;
-    if (!right) return tests::suspects_of(query);
+    const bool alike = got.seconds == tests::certified(query);  // a mistake in 4.3 is named there
+    if (alike && !got.seconds) return tests::TimeSuspects{};
+    if (!right || got.seconds) return tests::suspects_in_batch(query, got);
     return tests::TimeSuspects{{{},
                                 "a start on the surface is missed, because c is rounded: if it is "
                                 "within its error bound, use step 4.3"}};
@@ -164,13 +151,13 @@ TEST_CASE("A batch of touching and grazing paths is right to one ulp", "[4.5]") 
     batch.dt = 3.0;
     for (int i = 0; i < 50; ++i) {
       const Query lattice = tests::lattice_query(random);
-      add(batch.particles, lattice.particle.position, lattice.particle.velocity);
+      tests::add(batch.particles, lattice.particle.position, lattice.particle.velocity);
       const double course = random.uniform(0.0, 6.2);
       const Vec3 along(0.0, std::cos(course), std::sin(course));
       const Vec3 across(0.0, -along.z(), along.y());
       const double offset = tests::nudged(random, 5.0, 3);
       const double back = random.uniform(0.0, 9.0);
-      add(batch.particles, offset * across - back * along, 3.0 * along);
+      tests::add(batch.particles, offset * across - back * along, 3.0 * along);
     }
     expect_batch(batch);
   }
@@ -183,8 +170,8 @@ TEST_CASE("A batch finds nothing if paths stay just outside", "[4.5]") {
     batch.cylinder = query.cylinder;
     batch.dt = query.dt;
     for (int i = 0; i < 9; ++i)
-      add(batch.particles, query.particle.position, query.particle.velocity);
-    return batch_time(times_of_impact(batch.particles, batch.cylinder, batch.dt)[8]).seconds;
+      tests::add(batch.particles, query.particle.position, query.particle.velocity);
+    return tests::batch_time(times_of_impact(batch.particles, batch.cylinder, batch.dt)[8]).seconds;
   };
   tests::expect_narrow_misses_missed(batch_step, in_a_batch, 453);
 }

@@ -2,6 +2,7 @@
 
 #include "bad_input.hpp"
 #include "catch.hpp"
+#include "cross_form_beliefs.hpp"
 #include "judge_ties.hpp"
 #include "narrow.hpp"
 
@@ -12,10 +13,21 @@ using tests::Time;
 
 namespace {
 
+using tests::cross_form;
+using tests::missed_by_rounded_end;
+using tests::missed_by_rounded_graze;
+using tests::missed_by_rounded_start;
+
 const std::string cross_form_step = "4.2 time_of_impact";
 
-std::optional<double> cross_form(const Query& query) {
-  return time_of_impact(query.particle, query.cylinder, query.dt);
+tests::TimeSuspects cross_form_suspects(const Query& query) {
+  return tests::explaining(cross_form, query, tests::beliefs_of_cross_form);
+}
+
+tests::Trial cross_form_trial(const Query& query, int index, int count) {
+  return tests::trial(cross_form_step, query, index, count).suspecting([] {
+    return tests::nan_without_root(cross_form);
+  });
 }
 
 /// Where nothing is ill-conditioned: the line passes within 0.7 ρ and the start is 1.5 ρ away or
@@ -36,7 +48,7 @@ constexpr double deep_bound = 8.0 * eps;
 
 void expect_deep(const Query& query, int index, int count,
                  const std::function<tests::TimeSuspects()>& suspects) {
-  const auto trial = tests::trial(cross_form_step, query, index, count);
+  const auto trial = cross_form_trial(query, index, count);
   const Time got{trial.returned([&] { return cross_form(query); })};
   const Time wanted = tests::time_of(query);
   trial.expect(got, wanted,
@@ -45,7 +57,7 @@ void expect_deep(const Query& query, int index, int count,
                suspects);
 }
 void expect_deep(const Query& query, int index, int count) {
-  expect_deep(query, index, count, [&] { return tests::suspects_of(query); });
+  expect_deep(query, index, count, [&] { return cross_form_suspects(query); });
 }
 
 /// The path is a miss, and so it is for a cylinder that is wider by 64 eps and lasts as much
@@ -62,7 +74,7 @@ tests::TimeSuspects none() { return {}; }
 /// missed  what it may be if an impact is missed
 void expect_not_missed(const Query& query, int index, int count,
                        tests::TimeSuspects (*missed)() = none) {
-  const auto trial = tests::trial(cross_form_step, query, index, count);
+  const auto trial = cross_form_trial(query, index, count);
   const Time got{trial.returned([&] { return cross_form(query); })};
   const Time wanted = tests::time_of(query);
   if (wanted.seconds && !got.seconds) {
@@ -70,28 +82,11 @@ void expect_not_missed(const Query& query, int index, int count,
   }
   if (!wanted.seconds && got.seconds && clearly_missed(query)) {
     trial.expect(got, wanted, {0.0, "the path stays outside by more than 64 eps"},
-                 [&] { return tests::suspects_of(query); });
+                 [&] { return cross_form_suspects(query); });
   }
   const double t = got.seconds.value_or(0.0);
   trial.expect_small("time out of [0, dt]", std::max(-t, t - query.dt) + 0.0 * t,
                      {0.0, "the time of an impact is in [0, dt]"});
-}
-
-/// Whether of these paths those are missed, and no others, whose |w| is beyond ρ|v| when y v_z and
-/// z v_y are rounded, by as much as no margin covers.
-bool misses_by_rounded_products(const std::vector<Query>& queries) {
-  int missed = 0;
-  for (const Query& query : queries) {
-    if (!tests::time_of(query).seconds) continue;
-    const Vec3& x = query.particle.position;
-    const Vec3& v = query.particle.velocity;
-    const double w = x.y() * v.z() - x.z() * v.y();
-    const double beyond = std::abs(w) / (tests::rho(query) * std::hypot(v.y(), v.z())) - 1.0;
-    const bool found = cross_form(query).has_value();
-    if (found ? beyond > 64.0 * eps : beyond < eps) return false;
-    missed += found ? 0 : 1;
-  }
-  return missed > 0;
 }
 
 void expect_none_missed(Query (*draw)(tests::Random&), int seed, int count = 400,
@@ -113,25 +108,16 @@ Query outside_by_hypot(tests::Random& random) {
   return query;
 }
 
-/// If it counts a start on the surface between whole numbers, only rounding hides another one.
-tests::TimeSuspects missed_by_rounded_start() {
-  if (cross_form(tests::ties().front().query) != 0.0) return {};
-  return {{{},
-           "a start on the surface is missed, because |x| - rho is rounded: allow it a margin of a "
-           "few eps of rho"}};
-}
-
 }  // namespace
 
 TEST_CASE("The cross form is right on paths of whole numbers", "[4.2]") {
   const auto cases = tests::hand_cases();
   int index = 0;
   for (const auto& [query, time] : cases) {
-    const auto trial =
-        tests::trial(cross_form_step, query, ++index, static_cast<int>(cases.size()));
+    const auto trial = cross_form_trial(query, ++index, static_cast<int>(cases.size()));
     trial.expect(Time{trial.returned([&, &q = query] { return cross_form(q); })}, Time{time},
                  {8.0 * eps * time.value_or(0.0), "4 ulp"},
-                 [&, &q = query] { return tests::suspects_of(q); });
+                 [&, &q = query] { return cross_form_suspects(q); });
   }
 }
 
@@ -139,15 +125,14 @@ TEST_CASE("The cross form counts touches at the start and in passing and at dt",
   const auto ties = tests::ties();
   int index = 0;
   for (const tests::Tie& tie : ties) {
-    const auto trial =
-        tests::trial(cross_form_step, tie.query, ++index, static_cast<int>(ties.size()));
+    const auto trial = cross_form_trial(tie.query, ++index, static_cast<int>(ties.size()));
     // Deeper by 64 eps of ρ the line would enter √(2 · 64 eps) ρ earlier.
     const double way = std::sqrt(128.0 * eps) * tests::rho(tie.query);
     tests::expect_tie(
         trial, cross_form, tie,
         {way,
          "at a touch in passing an error of a few eps in depth is one of a root of eps in time"},
-        [&] { return tests::suspects_of(tie.query); });
+        [&] { return cross_form_suspects(tie.query); });
   }
 }
 
@@ -170,7 +155,7 @@ TEST_CASE("Far off the cross form keeps the digits that the textbook loses", "[4
       const double D = std::ldexp(1.0, k);
       const Query query = tests::query({3.0, D, z}, {0.0, -2.0, 0.0}, D, 0.75, 0.5);
       const auto suspects = [&] {
-        auto all = tests::suspects_of(query);
+        auto all = cross_form_suspects(query);
         all.push_back({{0.5 * D},
                        "the discriminant cancels, because far off b^2 - a c of rounded squares is "
                        "noise: use the cross product"});
@@ -214,7 +199,7 @@ TEST_CASE("The cross form misses no start on the surface of a particle that leav
 }
 
 TEST_CASE("The cross form misses no grazing impact", "[4.2]") {
-  expect_none_missed(tests::grazing_query, 4210, 1000);
+  expect_none_missed(tests::grazing_query, 4210, 1000, missed_by_rounded_graze);
 }
 
 TEST_CASE("The cross form misses no oblique grazing impact from near or far", "[4.2]") {
@@ -224,16 +209,16 @@ TEST_CASE("The cross form misses no oblique grazing impact from near or far", "[
   for (int i = 0; i < 1000; ++i) queries.push_back(tests::oblique_grazing_query(random));
   int index = 0;
   for (const Query& query : queries) {
-    const auto trial = tests::trial(cross_form_step, query, ++index, 1000);
+    const auto trial = cross_form_trial(query, ++index, 1000);
     const Time got{trial.returned([&] { return cross_form(query); })};
     const Time wanted = tests::time_of(query);
     if (!wanted.seconds || got.seconds) continue;
     trial.expect(got, wanted, {0.0, "no impact may be missed"}, [&] {
-      return misses_by_rounded_products(queries)
+      return tests::misses_by_rounded_products(queries)
                  ? tests::TimeSuspects{{{},
                                         "the products of x × v are rounded before they cancel: use "
                                         "difference_of_products"}}
-                 : tests::TimeSuspects{};
+                 : missed_by_rounded_graze();
     });
   }
   for (index = 1; index <= 1000; ++index) {
@@ -250,7 +235,7 @@ TEST_CASE("The cross form misses no impact within an ulp of dt", "[4.2]") {
       [](tests::Random& random) {
         return tests::ending_at_impact(random, tests::generic_query(random));
       },
-      4211, 1000);
+      4211, 1000, missed_by_rounded_end);
 }
 
 TEST_CASE("The cross form misses no touch between whole numbers", "[4.2]") {
@@ -258,7 +243,7 @@ TEST_CASE("The cross form misses no touch between whole numbers", "[4.2]") {
 }
 
 TEST_CASE("The cross form misses no touch of large whole numbers", "[4.2]") {
-  expect_none_missed(tests::pythagorean_query, 4213);
+  expect_none_missed(tests::pythagorean_query, 4213, 400, missed_by_rounded_graze);
 }
 
 TEST_CASE("The cross form refuses bad arguments", "[4.2]") {

@@ -29,7 +29,7 @@ void expect_by_hand(const EdgeCase& c, const Time& wanted) {
   const Time got = trial.returned([&] { return edge_time(c); });
   const tests::EdgeTruth truth(c);
   trial.expect(got, wanted, {1e-14 * c.dt, "worked by hand; 1e-14 of dt, as the contract says"},
-               [&] { return suspects_of_edge(truth, c); });
+               [&] { return edge_suspects(truth, c); });
   trial.of("the time that the tests compute exactly")
       .expect(truth.time(), wanted, {1e-15 * c.dt, "rounded only at the end"});
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "beliefs.hpp"
 #include "cases.hpp"
 #include "common/exact/double_double.hpp"
 
@@ -105,7 +106,8 @@ void expect_narrow_misses_missed(const std::string& step, const Call& time_of_im
       const Time got{here.returned([&] { return time_of_impact(miss.query); })};
       const Time beside{here.returned([&] { return time_of_impact(miss.beside); })};
       here.expect(got, Time{}, {0.0, "it stays outside by " + text(share) + " of rho or dt"}, [&] {
-        return beside.seconds ? suspects_of(miss.query) : TimeSuspects{{got, miss.story}};
+        return beside.seconds ? explaining(time_of_impact, miss.query, beliefs_of_any)
+                              : TimeSuspects{{got, miss.story}};
       });
     }
   }

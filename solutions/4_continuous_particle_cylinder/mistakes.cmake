@@ -259,6 +259,23 @@ add_mutant(${lab} advancement_one_too_far 4.3
 add_mutant(${lab} advancement_counts_steps 4.3
   "    ++advancement.iterations;" "    if (t > 0.0) ++advancement.iterations;" "is not counted")
 
+# The count stands at the end of the loop, and the last round leaves before it.
+add_mutant(${lab} advancement_counts_at_the_end 4.3
+  "    ++advancement.iterations;
+    const double next = t + gap / speed;  // eq. (8); infinite at rest
+    if (gap <= tolerance || next == t) {  // or φ/|v| is too small to change t
+      advancement.time = t;
+      break;
+    }
+    t = next;"
+  "    const double next = t + gap / speed;
+    if (gap <= tolerance || next == t) {
+      advancement.time = t;
+      break;
+    }
+    t = next;
+    ++advancement.iterations;" "is not counted")
+
 # What is at dt is believed to be past it.
 add_mutant(${lab} advancement_without_arrival_at_dt 4.3
   "    t = next;" "    if (next >= dt) break;

@@ -98,9 +98,10 @@ inline std::vector<WrongAdvance> wrong_advances(const Query& query, double toler
       "the tolerance is multiplied by R: compare phi with the tolerance itself");
   add(sequence(query, tolerance, speed, Gap::squares),
       "the gap is a difference of squares: subtract R + r from the distance itself");
-  all.push_back({right.time, right.evaluations - 1,
-                 "the last evaluation, or the first, is not counted: count every evaluation of the "
-                 "gap"});
+  const std::string not_counted =
+      "the last evaluation, or the first, is not counted: count every evaluation of the gap";
+  all.push_back({right.time, right.evaluations - 1, not_counted});
+  if (!right.time.seconds) all.push_back({right.time, right.evaluations, not_counted});
   all.push_back({right.time, right.evaluations + 1,
                  "one evaluation is counted too many: begin at 0 and count once for each gap"});
   if (query.dt == 0.0) all.push_back({{}, 0, "an arrival at dt is lost: stop only if t > dt"});

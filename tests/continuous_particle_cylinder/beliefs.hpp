@@ -12,7 +12,7 @@
 /// Names a mistake in a time of impact only if it explains the answers on many paths, not on one.
 namespace tests {
 
-/// Paths of every kind, on none of which rounding decides.
+/// Paths of every kind. Rounding decides on none of them.
 inline std::vector<Query> plain_queries() {
   std::vector<Query> queries;
   for (const HandCase& hand : hand_cases()) queries.push_back(hand.query);

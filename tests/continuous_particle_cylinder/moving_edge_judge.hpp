@@ -77,7 +77,7 @@ inline std::vector<Suspect<Time>> suspects_of_edge(const EdgeTruth& truth, doubl
   return suspects;
 }
 
-/// Edges of every kind, on none of which rounding decides.
+/// Edges of every kind. Rounding decides on none of them.
 inline std::vector<EdgeCase> plain_edges() {
   std::vector<EdgeCase> edges;
   Random random(480);
@@ -110,7 +110,7 @@ inline bool is_sampled(const std::vector<EdgeCase>& edges, const std::vector<Tim
   return false;
 }
 
-/// Returns the stories that explain the answers to all plain edges, at least one of which is wrong.
+/// Returns the stories that explain the answers to all plain edges, if one of these is wrong.
 inline std::vector<std::string> stories_of_edges() {
   const std::vector<EdgeCase> edges = plain_edges();
   std::vector<Time> times;

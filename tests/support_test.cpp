@@ -14,12 +14,12 @@ TEST_CASE("Random inertias are those of bodies", "[support]") {
   Random random(1);
   for (int i = 0; i < 100; ++i) {
     const common::Mat3 inertia = random.inertia();
-    const common::Vec3 moments = Eigen::SelfAdjointEigenSolver<common::Mat3>(inertia).eigenvalues();
+    const common::Vec3 found = Eigen::SelfAdjointEigenSolver<common::Mat3>(inertia).eigenvalues();
     CHECK(inertia == inertia.transpose());
-    CHECK(moments.x() > 0.0);
-    CHECK(moments.x() + moments.y() > moments.z());
-    CHECK(moments.z() - moments.y() > 0.1);
-    CHECK(moments.y() - moments.x() > 0.1);
+    CHECK(found.x() > 0.0);
+    CHECK(found.x() + found.y() > found.z());
+    CHECK(found.z() - found.y() > 0.1);
+    CHECK(found.y() - found.x() > 0.1);
   }
 }
 

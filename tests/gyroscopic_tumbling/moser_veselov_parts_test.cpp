@@ -35,7 +35,8 @@ double residual(const Vec3& moments, const Vec3& momentum, double dt, const Quat
 /// The same of b = p/p0 without the factor 1 + |b|², with the products or without.
 double residual_of_b(const Vec3& moments, const Vec3& momentum, double dt, const Quat& p,
                      bool products) {
-  const QuatL b(1, p.x() / p.w(), p.y() / p.w(), p.z() / p.w());
+  const QuatL q = wide(p);
+  const QuatL b(1, q.x() / q.w(), q.y() / q.w(), q.z() / q.w());
   const VecL left = wide(dt) * wide(momentum);
   const VecL signs = VecL::Constant(products ? 1 : 0);
   return static_cast<double>((momentum_of(wide(moments), b, signs, 2) - left).norm() / left.norm());

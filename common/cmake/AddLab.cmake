@@ -264,15 +264,17 @@ function(_add_judge)
   endif()
   set(crossings "${CMAKE_CURRENT_BINARY_DIR}/crossings")
   set(contract "${CMAKE_CURRENT_SOURCE_DIR}/${name}.hpp")
-  add_custom_command(OUTPUT "${crossings}/functions.hpp" "${crossings}/proxy.cpp"
-    COMMAND "${python}" -B "${grading}/crossings.py" "${contract}" "${crossings}"
-    DEPENDS "${contract}" "${grading}/crossings.py" COMMENT "Listing the functions of ${name}" VERBATIM)
+  # Now and not in the build, because editors and clang-tidy read these files without one.
+  execute_process(COMMAND "${python}" -B "${grading}/crossings.py" "${contract}" "${crossings}"
+    COMMAND_ERROR_IS_FATAL ANY)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${contract}"
+    "${grading}/crossings.py")
   set(includes "${grading}" "${grading}/${name}" "${crossings}")
   add_executable(${name}_judge_test EXCLUDE_FROM_ALL "${grading}/proxy.cpp" "${grading}/worker.cpp"
     "${grading}/sleep.cpp" "${crossings}/proxy.cpp")
   target_include_directories(${name}_judge_test PRIVATE ${includes})
   target_link_libraries(${name}_judge_test PRIVATE ${name}_test Catch2::Catch2WithMain project_flags)
-  add_library(${name}_driver OBJECT EXCLUDE_FROM_ALL "${grading}/driver.cpp" "${crossings}/functions.hpp")
+  add_library(${name}_driver OBJECT EXCLUDE_FROM_ALL "${grading}/driver.cpp")
   target_include_directories(${name}_driver PRIVATE ${includes})
   target_link_libraries(${name}_driver PRIVATE ${name}_contract project_flags)
   set(options "$<JOIN:$<TARGET_PROPERTY:answer_flags,INTERFACE_COMPILE_OPTIONS>,$<SEMICOLON>>")

@@ -3,7 +3,7 @@
 usage: crossings.py CONTRACT FOLDER
 
 FOLDER/functions.hpp lists the functions, for both sides. FOLDER/proxy.cpp is an answer: each
-function as a call of the worker.
+function as a call of the worker. A file that does not change is not written.
 """
 
 import re
@@ -111,7 +111,9 @@ def main() -> None:
     folder.mkdir(parents=True, exist_ok=True)
     for name, text in (("functions.hpp", functions_header(contract.name, namespace, functions)),
                        ("proxy.cpp", proxy(namespace, functions))):
-        (folder / name).write_text(text, encoding="utf-8")
+        file = folder / name
+        if not file.exists() or file.read_text(encoding="utf-8") != text:
+            file.write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":

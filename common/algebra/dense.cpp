@@ -120,7 +120,7 @@ Matrix block(const Matrix& A, const std::vector<int>& rows) {
 
 double largest_eigenvalue(const Matrix& A) {
   if (A.rows() == 0) return 0.0;
-  return largest_eigenvalue(A.rows(), largest_entry(A.reshaped()),
+  return largest_eigenvalue(A.rows(), A.cwiseAbs().maxCoeff(),
                             [&](const Vector& x) { return product(A, x); });
 }
 
@@ -168,7 +168,7 @@ void require_system(const Matrix& A, const Vector& b) {
   require_entries(b, A.rows(), "the vector that goes with A");
   if (A.rows() == 0) return;
   if (!A.allFinite()) refuse_entry("A");
-  if (!(asymmetry(A) <= 1e-9 * largest_entry(A.reshaped<Eigen::RowMajor>()))) {
+  if (!(asymmetry(A) <= 1e-9 * A.cwiseAbs().maxCoeff())) {
     throw std::invalid_argument("A: must be symmetric");
   }
   if (!(A.diagonal().minCoeff() > 0.0)) {
